@@ -1,4 +1,3 @@
-import { scaleLinear } from 'd3-scale';
 import { addScaled, cross, dot, length, negate, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { type LocalizedText, listed, type Message, msg } from '../messages/message.ts';
 import { gamma, inverseBoost, velocity } from '../physics/lorentz/boost.ts';
@@ -14,6 +13,7 @@ import { figureOf } from './figure.ts';
 import { type ChartLayout, obliqueLayout, planeLayout } from './layouts.ts';
 import { type LegendRow, legendMarks } from './legend.ts';
 import type { Diagram, Mark, MarkRole, PixelPoint } from './marks.ts';
+import { roundStep } from './roundStep.ts';
 import { betaText, lengthUnit, plainNumber, timeUnit } from './units.ts';
 import { clockTimes, tick, ticksAt, timesInWindow, worldLinePath } from './worldLineMarks.ts';
 
@@ -146,10 +146,7 @@ function suggestedSpan(events: readonly LineEvents[], { secondAxis, width, heigh
 function clockStep({ height }: ChartWindow, c: number): number {
   const half = height / c;
   const { size } = timeUnit(half);
-  const [first = 0, second = 1] = scaleLinear()
-    .domain([0, (2 * half) / size])
-    .ticks(10);
-  return (second - first) * size;
+  return roundStep((2 * half) / size, 10) * size;
 }
 
 function lineMarks(

@@ -54,7 +54,7 @@ export default function OutsideView(): ReactNode {
   }, [editor]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: it stays as it was turned while the scene grows, or light becomes faster
   useEffect(() => {
-    if (scene && c) setLook((before) => ({ ...before, ...firstLook(scene, c) }));
+    if (scene && c) setLook(firstLook(scene, c));
   }, [shown]);
   useFrames((context, now) => {
     if (look) drawer.current?.tick(context, look, now);

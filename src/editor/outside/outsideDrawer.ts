@@ -4,6 +4,7 @@ import type { Scene } from '../../scene/types.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { sceneUpVector } from '../state/observer.ts';
+import { sampleWorker, tessellationWorker } from '../viewport/rendererWorkers.ts';
 import type { PreviewContext } from '../viewport/viewportRenderer.ts';
 import { type OutsideLook, outsideExposure, outsideSettings } from './outsidePicture.ts';
 
@@ -109,9 +110,8 @@ export class OutsideDrawer {
     };
     const beside = of.beside?.({
       shadowDetail: 'coarse',
-      tessellationWorker: () =>
-        new Worker(new URL('../viewport/tessellation.worker.ts', import.meta.url), { type: 'module' }),
-      sampleWorker: () => new Worker(new URL('../viewport/samples.worker.ts', import.meta.url), { type: 'module' }),
+      tessellationWorker,
+      sampleWorker,
       onBetterTessellation: requestDraw,
       onSamples: requestDraw,
       onError: this.onError,

@@ -1,3 +1,4 @@
+import { roundStep } from '../../diagrams/roundStep.ts';
 import { distance, type Vec3 } from '../../math/vec3.ts';
 import { exposureForMetering } from '../../nodes/pictures/metering.ts';
 import { sceneBounds } from '../../scene/bounds/sceneBounds.ts';
@@ -38,14 +39,7 @@ export function firstLook(scene: Scene, c: number): OutsideLook {
 }
 
 /** Time that light takes from one ring to the next [s]: 1, 2 or 5 times a power of ten, so that about four rings are nearer to the observer than the camera. c [m/s]. */
-export function ringSeconds(distance: number, c: number): number {
-  const wanted = distance / (RINGS_TO_CAMERA * c);
-  const power = 10 ** Math.floor(Math.log10(wanted));
-  const part = wanted / power;
-  return Number(
-    (power * (part < Math.sqrt(2) ? 1 : part < Math.sqrt(10) ? 2 : part < Math.sqrt(50) ? 5 : 10)).toPrecision(1),
-  );
-}
+export const ringSeconds = (distance: number, c: number): number => roundStep(distance / c, RINGS_TO_CAMERA);
 
 /** Settings of the outside view beside a picture. `exposure` [EV]: metered. */
 export function outsideSettings(

@@ -1,5 +1,6 @@
 import type { GpuAccess, PipelineHost } from '../../pipelines/host.ts';
 import type { Backend } from '../../render/settings.ts';
+import { sampleWorker } from '../viewport/rendererWorkers.ts';
 import { workerThreads } from './workerThreads.ts';
 
 /** Renders on a device of its own, while the viewport goes on. */
@@ -15,7 +16,7 @@ function openCanvas(backend: Backend | 'auto'): GpuAccess {
     options: {
       canvas: document.createElement('canvas'),
       backend,
-      sampleWorker: () => new Worker(new URL('../viewport/samples.worker.ts', import.meta.url), { type: 'module' }),
+      sampleWorker,
       onError: (error) => failure.fail(error),
       onLost: (reason) => failure.fail(new Error(reason)),
     },

@@ -18,6 +18,7 @@ import { isSoftwareRenderer } from './chooseBackend.ts';
 import { DynamicResolution } from './dynamicResolution.ts';
 import { setLegendColors } from './legend/legendState.ts';
 import type { ValuePicker } from './legend/valuePicker.ts';
+import { sampleWorker, tessellationWorker } from './rendererWorkers.ts';
 
 /** Maximum flight step of a frame [s], so that the observer does not jump after the page was suspended. */
 const MAX_FLIGHT_STEP = 0.25;
@@ -114,8 +115,8 @@ export class ViewportRenderer {
       backend,
       onLost,
       shadowDetail: software ? 'coarse' : 'fine',
-      tessellationWorker: () => new Worker(new URL('./tessellation.worker.ts', import.meta.url), { type: 'module' }),
-      sampleWorker: () => new Worker(new URL('./samples.worker.ts', import.meta.url), { type: 'module' }),
+      tessellationWorker,
+      sampleWorker,
       onBetterTessellation: requestDraw,
       onSamples: requestDraw,
       onError: (error) => {
