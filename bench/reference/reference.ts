@@ -11,7 +11,7 @@ import type { TileRequest } from '../../src/reference/tileRequest.ts';
 import { tilesOf } from '../../src/reference/tracerPool.ts';
 import type { ColorMode } from '../../src/scene/settings/settings.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings } from '../../src/scene/view/view.ts';
 import { type Bench, interleaved, type Table, timed } from '../support/bench.ts';
 import { SETTINGS } from '../support/gpu.ts';
@@ -43,8 +43,9 @@ export const reference: Bench = {
 
 const rays = (): SpacetimeRay[] => {
   const { width, height } = SIZE;
-  return Array.from({ length: width * height }, (_, i) =>
-    cameraRay(LOOK, SETTINGS, (i % width) + 0.5, Math.floor(i / width) + 0.5, width, height),
+  return Array.from(
+    { length: width * height },
+    (_, i) => cameraRay(LOOK, SETTINGS, (i % width) + 0.5, Math.floor(i / width) + 0.5, width, height)!,
   );
 };
 

@@ -4,7 +4,8 @@ import { worldObjects } from '../../src/render/geometry/worldObjects.ts';
 import type { TessellationView } from '../../src/render/tessellation/criterion/tessellationView.ts';
 import { LocalPlanner } from '../../src/render/tessellation/plan/planner.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { frustumOf, pixelsPerTangent } from '../../src/scene/view/lens.ts';
+import { perspectiveOf } from '../../src/scene/view/lenses/lenses.ts';
+import { frustumOf, pixelsPerTangent } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import type { TestView } from '../../tests/visual/frames.ts';
 import type { Size } from '../../tests/visual/pixels.ts';
 import { interleaved } from '../support/bench.ts';
@@ -33,7 +34,7 @@ function tessellationViewOf(
   c: number,
   { width, height }: Size,
 ): TessellationView {
-  const frustum = frustumOf(lens, width, height);
+  const frustum = frustumOf(perspectiveOf(lens), width, height);
   return {
     observation: { t, position, u, c, hypersurface: 'past-light-cone', coneSlope: 1 },
     projection: { event: 'emission', place: 'apparent' },

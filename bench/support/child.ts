@@ -5,7 +5,7 @@ import { pumpFrame } from '../../src/cli/gpu/nodeShim.ts';
 import { memorySource } from '../../src/formats/files/fileSource.ts';
 import { sceneFormats } from '../../src/formats/registry.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import type { LoadTask } from '../formats/readers.ts';
 import type { CachePlayback, CacheTask } from '../simulation/cache.ts';
 import { type ClothTask, fallingBy } from '../simulation/dynamics.ts';

@@ -5,7 +5,7 @@ import { sphere } from '../../src/scene/mesh/primitives.ts';
 import { parabolaVelocities } from '../../src/scene/motion/cubicPoints.ts';
 import type { Mesh, Motion, Scene } from '../../src/scene/types.ts';
 import { lookAtOrientation } from '../../src/scene/view/camera.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 
 export type MotionKind = 'static' | 'rigid' | 'deforming' | 'cubic';
 

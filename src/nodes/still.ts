@@ -4,7 +4,7 @@ import type { OptionValues } from '../pipelines/options.ts';
 import type { PictureRenderer, PictureRequest } from '../pipelines/pictureRenderer.ts';
 import type { UncheckedRequest } from '../pipelines/pipeline.ts';
 import type { Scene } from '../scene/types.ts';
-import type { PictureSize } from '../scene/view/pictureViews.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 
 /** Request for a picture that is rendered once; its speed of light is that of the settings. Plain data. */
 export interface StillOrder extends PictureSize, Pick<PictureRequest, 'views' | 'settings' | 'samples'> {

@@ -1,7 +1,7 @@
 import type { RasterRenderer } from '../render/api.ts';
 import type { Preview, PreviewRequest } from '../render/previews.ts';
 import type { FrameGraph } from '../scene/frameGraph/frameGraph.ts';
-import type { PictureSize } from '../scene/view/pictureViews.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 
 /** Optional methods: without them the page does not refine pictures at rest, compiles shaders while drawing, cannot pick, and has no second picture. */
 type OptionalAbility = 'accumulate' | 'precompile' | 'pick' | 'beside';

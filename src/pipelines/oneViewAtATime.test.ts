@@ -7,7 +7,7 @@ import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
 import { renderTile } from '../reference/tile.ts';
 import { makeObject, makeScene, restingAt } from '../scene/defaults.ts';
 import { sphere } from '../scene/mesh/primitives.ts';
-import { offAxisLens, perspective } from '../scene/view/lens.ts';
+import { offAxisLens, perspective } from '../scene/view/lenses/perspectiveLens.ts';
 import { composeViews } from '../scene/view/pictureViews.ts';
 import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
 import { renderOneViewAtATime, type SingleViewRequest } from './oneViewAtATime.ts';

@@ -1,11 +1,5 @@
-import {
-  assertViewports,
-  blackPicture,
-  composeViews,
-  isWholePicture,
-  type PictureSize,
-  viewportOf,
-} from '../scene/view/pictureViews.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
+import { assertViewports, blackPicture, composeViews, isWholePicture, viewportOf } from '../scene/view/pictureViews.ts';
 import { AOVS, type ViewPoint } from '../scene/view/view.ts';
 import type { PictureRequest, RenderedPicture } from './pictureRenderer.ts';
 

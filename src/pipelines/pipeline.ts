@@ -2,7 +2,7 @@ import type { Message } from '../messages/message.ts';
 import { MessageError } from '../messages/messageError.ts';
 import type { Backend, RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
-import type { PictureSize } from '../scene/view/pictureViews.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import type { PipelineHost, ThreadPort } from './host.ts';
 import type { InteractiveRenderer } from './interactiveRenderer.ts';

@@ -9,7 +9,7 @@ import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
 import type { Scene } from '../scene/types.ts';
 import { drawnFrom } from '../scene/view/drawnFrom.ts';
-import type { PictureSize } from '../scene/view/pictureViews.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 import { type AovName, bufferSettings, type RenderSettings, type ViewPoint } from '../scene/view/view.ts';
 import { toneMap } from '../spectrum/display/toneMap.ts';
 import type { PipelineHost, ThreadHost } from './host.ts';

@@ -3,7 +3,7 @@ import { IDENTITY } from '../math/quat.ts';
 import { ZERO } from '../math/vec3.ts';
 import { msg } from '../messages/message.ts';
 import { makeScene } from '../scene/defaults.ts';
-import { perspective } from '../scene/view/lens.ts';
+import { perspective } from '../scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
 import type { PipelineHost } from './host.ts';
 import { optionsByEffect, withDefaults } from './options.ts';

@@ -43,6 +43,10 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
         const [right, down] = n === 1 ? [0.5, 0.5] : [random(), random()];
         const [px, py] = [x + right, y + down];
         const ray = cameraRay(view, settings, px, py, width, height);
+        if (!ray) {
+          if (means.picture) display.add(ZERO, undefined, []);
+          continue;
+        }
         const gathered = radiance(scene, ray, view, settings, light, random, createSensor(random));
         const arrived = stars ? add(gathered, stars(ray, px, py)) : gathered;
         sum = add(sum, arrived);

@@ -51,7 +51,7 @@ function fillData(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: 
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const ray = cameraRay(view, settings, x + 0.5, y + 0.5, width, height);
-      const hit = visibleHit(scene, ray);
+      const hit = ray && visibleHit(scene, ray);
       if (!hit) continue;
       const pixel = (y - y0) * (x1 - x0) + (x - x0);
       for (const { read, out } of readers) {

@@ -1,3 +1,4 @@
+import { vec4 } from 'three/tsl';
 import { PerspectiveCamera, type RenderTarget, Scene, type Texture } from 'three/webgpu';
 import { isStatic } from '../scene/motion/motion.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
@@ -28,6 +29,14 @@ export interface GBufferView {
 /** Settings in which several lights of one G-buffer may differ. */
 export type Lighting = Pick<RenderSettings, 'shadows' | 'occlusionRadius'>;
 
+/** A light of one of a picture's G-buffers. */
+export interface BufferLight {
+  readonly buffer: number;
+  /** Among the lights of its G-buffer. */
+  readonly index: number;
+  readonly lighting: Lighting;
+}
+
 /** Deferred shading: a G-buffer and the light that is computed from it. */
 export class DeferredPass {
   readonly buffer: GBuffer;
@@ -42,7 +51,8 @@ export class DeferredPass {
   /** Made when something is seen through glass. */
   private background: RenderTarget | undefined;
   private size = { width: 1, height: 1 };
-  private view: GBufferView | undefined;
+  /** What the G-buffer was drawn of; undefined if its occlusion is not known. */
+  private occluded: GBufferView | undefined;
 
   constructor(gpu: Gpu, uniforms: FrameUniforms, colorPipelines: ColorPipelines, passes: PassCache) {
     this.gpu = gpu;
@@ -83,7 +93,7 @@ export class DeferredPass {
   drawGeometry(view: GBufferView, camera: PerspectiveCamera): void {
     const { upload, projection } = view;
     const { renderer } = this.gpu;
-    this.view = view;
+    this.occluded = view;
     for (const { names, target } of this.buffer.passes) {
       for (const drawCall of upload.drawCalls)
         if (!drawCall.batch.transparent)
@@ -121,7 +131,7 @@ export class DeferredPass {
     if (upload.opaque.children.some((mesh) => mesh.visible)) {
       const openness = lighting.occlusionRadius === 0 ? undefined : this.openness(lighting.occlusionRadius).texture;
       passes.run(
-        `light ${colorVariant} ${lighting.shadows} ${openness !== undefined}`,
+        `light ${buffer.depth.id} ${colorVariant} ${lighting.shadows} ${openness !== undefined}`,
         () => lightingPass(buffer, environment, uniforms, optics, isMoving(upload), shadows, openness, range),
         light,
         { owner, region: 'surfaces' },
@@ -158,10 +168,16 @@ export class DeferredPass {
     return background.texture;
   }
 
+  /** Says that the G-buffer is gathered from faces, at whose edges occlusion on the screen ends: its openness is 1. */
+  setGathered(): void {
+    this.occluded = undefined;
+  }
+
   /** Draws the G-buffer's ambient occlusion: the unoccluded fraction of the sky. `radius`: as `RenderSettings.occlusionRadius`. */
-  openness(radius = this.view?.settings.occlusionRadius): RenderTarget {
-    if (this.view) {
-      const { upload, projection } = this.view;
+  openness(radius = this.occluded?.settings.occlusionRadius): RenderTarget {
+    if (!this.occluded) this.passes.run('open', () => vec4(1), this.occlusion.target);
+    else {
+      const { upload, projection } = this.occluded;
       this.occlusion.draw({
         place: projection.place,
         moving: isMoving(upload),

@@ -2,11 +2,12 @@ import type { PerspectiveCamera, RenderTarget } from 'three/webgpu';
 import { UnsignedByteType } from 'three/webgpu';
 import { type FrameGraph, frameGraphStructure, includesToneMapping } from '../scene/frameGraph/frameGraph.ts';
 import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import type { FalseColorScale } from '../spectrum/falseColor/falseColor.ts';
 import { ColorPipelines } from './color/colorPipelines.ts';
-import { DeferredPass } from './deferredPass.ts';
-import type { BoundRenderView, FrameGraphRunner, PassListener } from './frameGraph/frameGraphRunner.ts';
+import { type BufferLight, DeferredPass, type GBufferView } from './deferredPass.ts';
+import type { FrameGraphRunner, PassListener } from './frameGraph/frameGraphRunner.ts';
 import { dataTarget, type GBuffer } from './gbuffer/gbuffer.ts';
 import { PixelReader } from './gbuffer/pixelReader.ts';
 import type { PixelTexels } from './gbuffer/readback.ts';
@@ -14,7 +15,9 @@ import type { SpacetimeProjection } from './geometry/vertexStage.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { PassCache } from './gpu/passCache.ts';
+import { FaceGatherer } from './lenses/faceGatherer.ts';
 import type { PictureParts } from './pictureParts.ts';
+import type { BoundFace, BoundRenderView, PictureSample } from './pictureSample.ts';
 import { type DisplaySettings, displayKey } from './post/display/display.ts';
 import { FalseColorTable, falseColored } from './post/display/falseColor.ts';
 import { LightMeter } from './post/display/lightMeter.ts';
@@ -40,10 +43,14 @@ export class FrameRenderer {
   private readonly pixelReader: PixelReader;
   /** By G-buffer; the first is that of the picture's own settings. */
   private readonly deferredPasses: DeferredPass[] = [];
+  /** Of one face of a panoramic picture at a time. */
+  private readonly facePasses: DeferredPass[] = [];
+  private readonly gatherer: FaceGatherer;
   /** By the structure of their frame graphs; the most recently used is the last. */
   private readonly runners = new Map<string, FrameGraphRunner>();
   private readonly falseColors = new FalseColorTable();
   private size = { width: 1, height: 1 };
+  private faceSize = { width: 1, height: 1 };
   /** Light of the last sample. */
   private light: RenderTarget;
   displayState: DisplayState = { tone: 'neutral', grid: false, hasStars: false, hasUnlit: false, antialiasing: true };
@@ -55,6 +62,7 @@ export class FrameRenderer {
     this.parts = parts;
     this.uniforms = uniforms;
     this.passes = new PassCache(gpu.renderer);
+    this.gatherer = new FaceGatherer(uniforms, this.passes);
     this.light = this.deferredPass(0).light();
     const light = () => this.light.texture;
     this.antialiasing = new Antialiasing({
@@ -82,27 +90,54 @@ export class FrameRenderer {
   }
 
   /** Draws one sample of a picture: its G-buffers, their light and the frame graph; `onPass` is called after each of its passes. */
-  draw(
-    views: readonly [BoundRenderView, ...BoundRenderView[]],
+  draw(sample: PictureSample, onPass?: PassListener): void {
+    const { views, faces, camera } = sample;
+    const { settings } = views[0].view;
+    const { frameGraph } = settings;
+    const runner = frameGraph && this.runnerFor(frameGraph);
+    const lights = runner ? runner.lights(frameGraph, sample) : [{ buffer: 0, index: 0, lighting: settings }];
+    const isGathered = (i: number): boolean => faces.some((face) => face.views[i]);
+    faces.forEach((face, i) => {
+      this.drawFace(face, views, lights, camera, i > 0);
+    });
+    const whole = views.map((view, i) => (isGathered(i) ? undefined : view));
+    if (faces.length > 0 || views.length > 1) drawSurfaces(whole, lights, camera, this.deferredPasses);
+    else drawSurface(views[0].view, 0, lights, camera, this.deferredPass(0));
+    if (isGathered(0)) views[0].bind();
+    this.light = runner ? runner.draw(frameGraph, sample, onPass) : this.deferredPass(0).light();
+  }
+
+  /** Draws a face with its light, and gathers what the picture shows of it. `over`: it is not the first. */
+  private drawFace(
+    { face, texels, position, views }: BoundFace,
+    pictureViews: PictureSample['views'],
+    lights: readonly BufferLight[],
     camera: PerspectiveCamera,
-    time: number,
-    onPass?: PassListener,
+    over: boolean,
   ): void {
-    const [first, ...others] = views;
-    const { frameGraph } = first.view.settings;
-    if (frameGraph) {
-      this.light = this.runnerFor(frameGraph).draw(frameGraph, { views, camera, time }, onPass);
-      return;
-    }
-    for (const [i, { view, bind }] of others.entries()) {
-      bind();
-      this.deferredPass(i + 1).drawGeometry(view, camera);
-    }
-    if (others.length > 0) first.bind();
-    const pass = this.deferredPass(0);
-    pass.drawGeometry(first.view, camera);
-    pass.drawLight(first.view, camera, first.view.settings);
-    this.light = pass.light();
+    this.setFaceSize(texels);
+    const own = lights.map((light) => ({ ...light, lighting: { ...light.lighting, occlusionRadius: 0 } }));
+    // Made before the G-buffer is drawn, as `DeferredPass.light` demands.
+    for (const { buffer, index } of own) this.pass(this.facePasses, buffer, this.faceSize).light(index);
+    views.forEach((_, i) => {
+      this.pass(this.facePasses, i, this.faceSize);
+    });
+    drawSurfaces(views, own, camera, this.facePasses);
+    this.gatherer.setFace(face, texels, position);
+    views.forEach((view, i) => {
+      if (!view) return;
+      pictureViews[i].bind();
+      const indices = own.flatMap(({ buffer, index }) => (buffer === i ? [index] : []));
+      const to = this.deferredPass(i);
+      to.setGathered();
+      this.gatherer.gather(this.facePasses[i], to, indices, over);
+    });
+  }
+
+  private setFaceSize(texels: number): void {
+    if (texels === this.faceSize.width) return;
+    this.faceSize = { width: texels, height: texels };
+    for (const pass of this.facePasses) pass.setSize(texels, texels);
   }
 
   /** The runner of frame graphs of this structure, cached. Call it before `precompile` (gpu/precompile.ts): a new runner draws to initialize its targets. */
@@ -123,12 +158,17 @@ export class FrameRenderer {
   }
 
   private deferredPass(index: number): DeferredPass {
-    while (this.deferredPasses.length <= index) {
+    return this.pass(this.deferredPasses, index, this.size);
+  }
+
+  /** Makes passes up to this index. */
+  private pass(passes: DeferredPass[], index: number, { width, height }: PictureSize): DeferredPass {
+    while (passes.length <= index) {
       const pass = new DeferredPass(this.gpu, this.uniforms, this.colorPipelines, this.passes);
-      this.deferredPasses.push(pass);
-      pass.setSize(this.size.width, this.size.height);
+      passes.push(pass);
+      pass.setSize(width, height);
     }
-    return this.deferredPasses[index];
+    return passes[index];
   }
 
   /** Ambient occlusion of the first G-buffer: the unoccluded fraction of the sky, weighted by the cosine. */
@@ -188,6 +228,7 @@ export class FrameRenderer {
   dispose(): void {
     for (const owned of [
       ...this.deferredPasses,
+      ...this.facePasses,
       ...this.runners.values(),
       this.passes,
       this.lightMeter,
@@ -197,4 +238,29 @@ export class FrameRenderer {
     this.falseColors.dispose();
     for (const target of [this.screen, this.antialiasing]) target.dispose();
   }
+}
+
+/** Draws G-buffers with their lights, the first one last, so that it stays bound. */
+function drawSurfaces(
+  views: readonly (BoundRenderView | undefined)[],
+  lights: readonly BufferLight[],
+  camera: PerspectiveCamera,
+  passes: readonly DeferredPass[],
+): void {
+  for (const [i, bound] of [...views.entries()].reverse()) {
+    if (!bound) continue;
+    bound.bind();
+    drawSurface(bound.view, i, lights, camera, passes[i]);
+  }
+}
+
+function drawSurface(
+  view: GBufferView,
+  buffer: number,
+  lights: readonly BufferLight[],
+  camera: PerspectiveCamera,
+  pass: DeferredPass,
+): void {
+  pass.drawGeometry(view, camera);
+  for (const light of lights) if (light.buffer === buffer) pass.drawLight(view, camera, light.lighting, light.index);
 }

@@ -7,8 +7,9 @@ import { hypersurfaceOf } from '../physics/worldLines/hypersurface.ts';
 import { backdropColors } from '../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../scene/lights/skyGradient.ts';
 import { drawnFrom, toObserver } from '../scene/view/drawnFrom.ts';
-import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lens.ts';
-import type { PictureSize } from '../scene/view/pictureViews.ts';
+import { isPanoramic, perspectiveOf } from '../scene/view/lenses/lenses.ts';
+import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lenses/perspectiveLens.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { hypersurfaceChoice, isLuminous, VIEWS } from '../scene/views/views.ts';
 import type { GBufferView } from './deferredPass.ts';
@@ -19,6 +20,9 @@ import { type SpacetimeProjection, startsAtNow, vertexSolverOf } from './geometr
 import { FAR, NEAR } from './gpu/depth.ts';
 import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import { setObserverUniforms } from './gpu/observerUniforms.ts';
+import { facesOf, faceTexels, faceViewPoint } from './lenses/cubeFaceViews.ts';
+import { setLensUniforms } from './lenses/lensUniforms.ts';
+import type { BoundFace, BoundRenderView, PictureSample } from './pictureSample.ts';
 import type { SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 import { DEPTH_WEIGHT } from './tessellation/criterion/edgeCriterion.ts';
@@ -92,25 +96,69 @@ export class FrameSetup {
     this.prepared = undefined;
   }
 
-  private prepareBuffer(view: RenderView, size: PictureSize, ready: () => void): readonly boolean[] | undefined {
-    const { upload, viewPoint, settings, observation, projection } = view;
-    const frustum = frustumIn(size, viewPoint);
-    this.setView(view, size);
-    const visible = upload.objectWriter.fill(
-      upload.bodies,
-      observation,
-      // Cones of directions are the observer's: from elsewhere everything may be seen.
-      { sides: viewPoint.vantage ? [] : frustumSides(viewPoint.orientation, frustum), place: projection.place },
-      startsAtNow(projection),
+  /**
+   * What one sample of prepared buffers is drawn with, at this position within their pixels. Each face of a panoramic picture is prepared when it is bound, since all
+   * share the tables of objects and the tessellation.
+   */
+  sample(buffers: ViewBuffers, position: SamplePosition, size: PictureSize): PictureSample {
+    const [first, ...others] = buffers.map(
+      (view): BoundRenderView => ({ view, bind: () => this.setSample(view, position, size) }),
     );
+    const panoramic = buffers.find(({ viewPoint }) => isPanoramic(viewPoint.lens));
+    const { camera } = this;
+    const shared = { views: [first, ...others] as const, camera, time: buffers[0].viewPoint.t };
+    if (!panoramic) return { ...shared, faces: [] };
+    const texels = faceTexels(panoramic.viewPoint, size);
+    const faceSize = { width: texels, height: texels };
+    const faces = facesOf(panoramic.viewPoint).map((face): BoundFace => {
+      const views = buffers.map((buffer): BoundRenderView | undefined => {
+        if (!isPanoramic(buffer.viewPoint.lens)) return undefined;
+        const view = { ...buffer, viewPoint: faceViewPoint(buffer.viewPoint, face) };
+        const bind = (): void => {
+          this.prepareFace(view, faceSize);
+          this.setSample(view, position, faceSize);
+        };
+        return { view, bind };
+      });
+      return { face, texels, position, views };
+    });
+    return { ...shared, faces };
+  }
+
+  private prepareBuffer(view: RenderView, size: PictureSize, ready: () => void): readonly boolean[] | undefined {
+    const { upload, viewPoint, settings, observation } = view;
+    this.setView(view, size);
+    const visible = this.fillTables(view, size);
     if (!upload.objectWriter.isComplete) return undefined;
     if (settings.shadows && !upload.shadows.update(observation)) return undefined;
     ready();
-    this.tessellate(view, visible, frustum, size);
     upload.releasePieces(visible);
     upload.updateLights(observation, settings.colors);
-    upload.stars?.update(viewPoint, settings, size.width, size.height);
+    // Of others, each face has its own.
+    if (!isPanoramic(viewPoint.lens)) this.placeInPicture(view, visible, size);
     return visible;
+  }
+
+  /** Prepares a face of a prepared panoramic view for drawing; all that does not depend on the direction is there. */
+  private prepareFace(view: RenderView, size: PictureSize): void {
+    this.setView(view, size);
+    this.placeInPicture(view, this.fillTables(view, size), size);
+  }
+
+  /** Returns which bodies may be in the picture. */
+  private fillTables({ upload, viewPoint, observation, projection }: RenderView, size: PictureSize): boolean[] {
+    const { lens, vantage, orientation } = viewPoint;
+    // Cones of directions are the observer's: from elsewhere everything may be seen.
+    const sides = vantage || isPanoramic(lens) ? [] : frustumSides(orientation, frustumIn(size, viewPoint));
+    const frustum = { sides, place: projection.place };
+    return upload.objectWriter.fill(upload.bodies, observation, frustum, startsAtNow(projection));
+  }
+
+  /** Tessellates for a perspective view, and places the stars in it. */
+  private placeInPicture(view: RenderView, visible: readonly boolean[], size: PictureSize): void {
+    const { upload, viewPoint, settings } = view;
+    this.tessellate(view, visible, frustumIn(size, viewPoint), size);
+    upload.stars?.update(viewPoint, settings, size.width, size.height);
   }
 
   /** Sets the uniforms and the camera, which all samples of a view share but for jitter. */
@@ -119,10 +167,8 @@ export class FrameSetup {
     size: PictureSize,
   ): void {
     const { uniforms, camera } = this;
-    const { tanX, tanY, aspect, center } = frustumIn(size, view);
     const luminous = isLuminous(settings) ? 1 : 0;
-    uniforms.halfTangents.value.set(tanX, tanY);
-    uniforms.frustumCenter.value.set(...center);
+    this.setLens(view, size);
     setObserverUniforms(uniforms, observation, view.vantage);
     uniforms.toObserver.value.set(...observer);
     uniforms.iterations.value = settings.iterations;
@@ -138,15 +184,25 @@ export class FrameSetup {
     uniforms.secondsPerMetre.value = 1 / observation.c;
     uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
     setGroundUniforms(uniforms, view, upload);
-    camera.fov = degrees(view.lens.fovY);
-    camera.aspect = aspect;
     camera.quaternion.copy(new Quaternion(...view.orientation));
     camera.matrixWorld.copy(new Matrix4().makeRotationFromQuaternion(camera.quaternion));
     camera.updateMatrixWorld();
   }
 
+  /** Through a panoramic lens nothing is projected: its faces have the camera one after another. */
+  private setLens(view: ViewPoint, size: PictureSize): void {
+    const { uniforms, camera } = this;
+    setLensUniforms(uniforms.lens, view.lens, size);
+    if (isPanoramic(view.lens)) return;
+    const { tanX, tanY, aspect, center } = frustumIn(size, view);
+    uniforms.halfTangents.value.set(tanX, tanY);
+    uniforms.frustumCenter.value.set(...center);
+    camera.fov = degrees(view.lens.fovY);
+    camera.aspect = aspect;
+  }
+
   /** Sets the view for samples at this position within their pixels. */
-  setSample(view: RenderView, position: SamplePosition, size: PictureSize): void {
+  private setSample(view: RenderView, position: SamplePosition, size: PictureSize): void {
     this.setView(view, size);
     this.jitter(position, size);
   }
@@ -186,9 +242,9 @@ export class FrameSetup {
   }
 }
 
-/** The frustum of a view point's picture of this size. */
+/** The frustum of a view point's picture of this size. Throws a RangeError if its lens has none. */
 export const frustumIn = ({ width, height }: PictureSize, { lens }: ViewPoint): Frustum =>
-  frustumOf(lens, width, height);
+  frustumOf(perspectiveOf(lens), width, height);
 
 export function spacetimeProjectionOf(settings: RenderSettings): SpacetimeProjection {
   const view = VIEWS[settings.view];

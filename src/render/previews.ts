@@ -1,12 +1,12 @@
 import { Fn, select, uniform, vec4 } from 'three/tsl';
 import { type RenderTarget, type Texture, UnsignedByteType } from 'three/webgpu';
 import { type FrameGraph, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
-import type { PictureSize } from '../scene/view/pictureViews.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 import { bufferSettings } from '../scene/view/view.ts';
 import { toneMaps } from '../shaders/color/toneMap.ts';
 import type { Vec4 } from '../shaders/types.ts';
-import type { BoundRenderView } from './frameGraph/frameGraphRunner.ts';
 import { FrameRenderer } from './frameRenderer.ts';
+import type { ViewBuffers } from './frameSetup.ts';
 import { dataTarget } from './gbuffer/gbuffer.ts';
 import { readBytes } from './gbuffer/readback.ts';
 import type { Gpu } from './gpu/device.ts';
@@ -148,13 +148,13 @@ class PreviewTargets {
     const [first] = buffers;
     const { size } = this;
     const settings = { ...first.settings, frameGraph };
-    const boundView = (view: typeof first, i: number): BoundRenderView => ({
-      view: { ...view, settings: bufferSettings(settings, i) },
-      bind: () => frameSetup.setSample(view, PIXEL_CENTER, size),
-    });
-    const [firstView, ...others] = buffers.map(boundView);
-    frameSetup.setSample(first, PIXEL_CENTER, size);
-    this.frameRenderer.draw([firstView, ...others], frameSetup.camera, first.viewPoint.t, (pass, image) => {
+    const shown = ([first, ...others]: ViewBuffers): ViewBuffers => [
+      { ...first, settings },
+      ...others.map((view, i) => ({ ...view, settings: bufferSettings(settings, i + 1) })),
+    ];
+    const sample = frameSetup.sample(shown(buffers), PIXEL_CENTER, size);
+    sample.views[0].bind();
+    this.frameRenderer.draw(sample, (pass, image) => {
       requests.forEach((request, i) => {
         if (request.kind === 'image' && request.step === pass) onPreview(i, this.image(image, request.exposure));
         if (request.kind === 'luminance' && request.step === pass)

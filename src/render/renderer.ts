@@ -1,12 +1,13 @@
 import { contentKey, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
+import { isPanoramic } from '../scene/view/lenses/lenses.ts';
 import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
+import type { PictureSize } from '../scene/view/pictureSize.ts';
 import {
   assertViewports,
   blackPicture,
   composeViews,
   isWholePicture,
-  type PictureSize,
   type PictureViews,
   type PixelRect,
   viewPixelAt,
@@ -162,8 +163,8 @@ export class SceneRenderer implements RasterRenderer {
     // Another speed of light may need another upload first.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
     if (!this.pictureParts.isReady(settings)) return this.pictureParts.load(settings);
-    const mode = antialiasingModeOf(settings, sampling);
-    if (this.compiled.has(shaderKey(settings, mode, uploads.of(settings), views.length))) return undefined;
+    const mode = antialiasingModeOf(views, settings, sampling);
+    if (this.compiled.has(shaderKey(views, settings, mode, uploads.of(settings)))) return undefined;
     this.precompiling ??= this.compile(views, settings, mode).finally(() => {
       this.precompiling = undefined;
     });
@@ -181,7 +182,7 @@ export class SceneRenderer implements RasterRenderer {
         this.viewRenderer(i).traversePasses(buffers, mode, target);
       });
     };
-    const shaders = shaderKey(settings, mode, this.uploads.of(settings), views.length);
+    const shaders = shaderKey(views, settings, mode, this.uploads.of(settings));
     // Also after a failure: a shader that does not compile is reported when it is used.
     await precompile(this.gpu.renderer, draw, this.disposal.signal).finally(() => this.compiled.add(shaders));
   }
@@ -193,7 +194,7 @@ export class SceneRenderer implements RasterRenderer {
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
     if (pictures.length === 0) return;
-    const mode = antialiasingModeOf(settings, sampling);
+    const mode = antialiasingModeOf(views, settings, sampling);
     const canWait = pictures.length > 1 && this.uploads.isStreamed;
     const request = canWait ? contentKey([views, settings, sampling]) : undefined;
     const resumed = canWait && this.incomplete?.request === request ? this.incomplete : undefined;
@@ -218,7 +219,7 @@ export class SceneRenderer implements RasterRenderer {
     if (!this.precompiling) for (const unused of this.viewRenderers.splice(views.length)) unused.dispose();
     if (this.toCanvas) this.presentOnCanvas();
     this.lastDraw = { objectsDrawn, milliseconds: performance.now() - start };
-    this.compiled.add(shaderKey(settings, mode, this.uploads.of(settings), views.length));
+    this.compiled.add(shaderKey(views, settings, mode, this.uploads.of(settings)));
     if (!this.precompiling) this.uploads.trim(pictures[0].length);
     // Trimming may have cleared the views' last buffers, but this picture's uploads are still there.
     pictures.forEach((buffers, i) => {
@@ -339,18 +340,20 @@ export class SceneRenderer implements RasterRenderer {
   }
 }
 
-function antialiasingModeOf(settings: RenderSettings, sampling: Sampling): AntialiasingMode {
-  if (sampling === 'temporal' && canAccumulate(settings)) return 'temporal';
+function antialiasingModeOf(views: PictureViews, settings: RenderSettings, sampling: Sampling): AntialiasingMode {
+  // The history is reprojected through frusta.
+  const hasFrusta = views.every(({ lens }) => !isPanoramic(lens));
+  if (sampling === 'temporal' && hasFrusta && canAccumulate(settings)) return 'temporal';
   if (sampling !== 'temporal' && sampling > 1) return 'mean';
   return settings.antialiasing ? 'fxaa' : 'none';
 }
 
 /** Identifies the shaders of a picture: equal keys need the same shaders. */
 function shaderKey(
+  views: PictureViews,
   settings: RenderSettings,
   mode: AntialiasingMode,
   uploads: readonly SceneUpload[],
-  views: number,
 ): string {
   const { tone, grid, falseColors, shadows, occlusionRadius, frameGraph, ghost, pastFuture } = settings;
   const buffers = uploads.map(({ serial, scene }, i) => {
@@ -360,5 +363,6 @@ function shaderKey(
   });
   const shape = frameGraph && frameGraphStructure(frameGraph);
   const display = [tone, grid, ghost !== 'none', pastFuture, falseColors?.kind ?? mode];
-  return [...buffers, views, shadows, occlusionRadius !== 0, ...display, shape].join(' ');
+  const lenses = views.map(({ lens }) => isPanoramic(lens)).join(' ');
+  return [...buffers, lenses, shadows, occlusionRadius !== 0, ...display, shape].join(' ');
 }

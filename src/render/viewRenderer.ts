@@ -1,9 +1,9 @@
 import type { RenderTarget } from 'three/webgpu';
-import type { LightMeterReadings } from '../scene/view/metering.ts';
+import { type LightMeterReadings, readingsInPicture } from '../scene/view/metering.ts';
 import type { PixelRect } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import { FrameRenderer } from './frameRenderer.ts';
-import { type FrameSetup, frustumIn, type RenderView, type ViewBuffers } from './frameSetup.ts';
+import { type FrameSetup, frustumIn, type ViewBuffers } from './frameSetup.ts';
 import { pickedPixel, readBytes, readData, readFloats } from './gbuffer/readback.ts';
 import type { Observation } from './geometry/observation.ts';
 import type { Gpu } from './gpu/device.ts';
@@ -129,10 +129,12 @@ export class ViewRenderer {
     return pickedPixel(await this.frameRenderer.readPixel(x, y), observation, pathOf);
   }
 
-  measureLight(): Promise<LightMeterReadings> {
+  async measureLight(): Promise<LightMeterReadings> {
     this.drawPixelCenters();
     this.bind();
-    return this.frameRenderer.measureLight(this.requireObservation().c);
+    const lens = this.lastBuffers?.[0].viewPoint.lens;
+    const readings = await this.frameRenderer.measureLight(this.requireObservation().c);
+    return lens ? readingsInPicture(readings, lens, this.rect) : readings;
   }
 
   /** Prepares the last picture again if another view has been prepared since; undefined if it cannot be drawn again. */
@@ -147,7 +149,7 @@ export class ViewRenderer {
     const { frameSetup, lastBuffers } = this;
     if (!lastBuffers) return;
     this.setDisplay(lastBuffers);
-    frameSetup.setSample(lastBuffers[0], this.samplePosition, this.rect);
+    frameSetup.sample(lastBuffers, this.samplePosition, this.rect).views[0].bind();
   }
 
   /** Releases the passes that read a scene; the last picture cannot be drawn again until `keep`. */
@@ -205,11 +207,10 @@ export class ViewRenderer {
   }
 
   /** Draws the prepared buffers, sampled at one position within each pixel. */
-  private drawBuffers([first, ...others]: ViewBuffers, position: SamplePosition): void {
-    const { frameSetup, rect } = this;
-    frameSetup.setSample(first, position, rect);
-    const bound = (view: RenderView) => ({ view, bind: () => frameSetup.setSample(view, position, rect) });
-    this.frameRenderer.draw([bound(first), ...others.map(bound)], frameSetup.camera, first.viewPoint.t);
+  private drawBuffers(buffers: ViewBuffers, position: SamplePosition): void {
+    const sample = this.frameSetup.sample(buffers, position, this.rect);
+    sample.views[0].bind();
+    this.frameRenderer.draw(sample);
   }
 
   /** Draws the last picture at the pixels' centres: data that is read back is never averaged. */

@@ -8,7 +8,7 @@ import { readExr } from '../../src/formats/image/readExr.ts';
 import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
 import type { TileRequest } from '../../src/reference/tileRequest.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { AOVS, type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view/view.ts';
 import {
   ask,

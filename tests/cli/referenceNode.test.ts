@@ -8,7 +8,7 @@ import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import { CancelledError } from '../../src/graph/evaluation/evaluator.ts';
 import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS } from '../../src/scene/view/view.ts';
 import { outputFolder, processorSeconds, programResult, scene, slowlight, start } from './program.ts';
 

@@ -4,7 +4,8 @@ import { velocity } from '../../src/physics/lorentz/boost.ts';
 import { sceneNightSky } from '../../src/scene/lights/sceneLights.ts';
 import { projectStars } from '../../src/scene/stars/projectStars.ts';
 import { observerFromCamera } from '../../src/scene/view/camera.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspectiveOf } from '../../src/scene/view/lenses/lenses.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view/view.ts';
 import { openExample, speedOfLight, topOfFlight } from './open.ts';
 
@@ -28,7 +29,7 @@ function seen(t: number, u: Vec3 = observerFromCamera(camera, t, c).u): Seen[] {
   const room = 3 * sky.stars.temperatures.length;
   const [places, lights] = [new Float32Array(room), new Float32Array(room)];
   const count = projectStars(sky, view, DEFAULT_SETTINGS, WIDTH, HEIGHT, { positions: places, radiances: lights });
-  const tan = Math.tan(view.lens.fovY / 2);
+  const tan = Math.tan(perspectiveOf(view.lens).fovY / 2);
   return Array.from({ length: count }, (_, i) => ({
     n: normalize([places[3 * i] * tan, places[3 * i + 1] * tan, -1]),
     light: [lights[3 * i], lights[3 * i + 1], lights[3 * i + 2]],

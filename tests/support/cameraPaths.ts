@@ -5,7 +5,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/
 import { box, plane, sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene, SceneObject } from '../../src/scene/types.ts';
 import { lookAtOrientation } from '../../src/scene/view/camera.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 
 /** A short, deterministic camera path, to measure flicker and error of pictures in motion. */

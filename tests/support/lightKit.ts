@@ -8,7 +8,7 @@ import { sensorsOf } from '../../src/reference/spectral/sensors.ts';
 import { radiance } from '../../src/reference/transport/path.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import type { AreaLight, DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view/view.ts';
 
 /** Spectral colours, c = 1 m/s. */

@@ -5,7 +5,7 @@ import { createTracedScene, type TracedScene } from '../../src/reference/interse
 import { makeScene } from '../../src/scene/defaults.ts';
 import { pointsAt } from '../../src/scene/streaming/samplePoints.ts';
 import type { Motion, SampledPointsMotion, SceneObject } from '../../src/scene/types.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { probeVertex, type VertexProbe } from '../../src/scene/view/probe.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 import type { View } from '../../src/scene/views/views.ts';

@@ -3,7 +3,7 @@ import { length, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../src/scene/view/camera.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 import type { View } from '../../src/scene/views/views.ts';
 import { type ExampleName, speedOfLight } from '../examples/open.ts';

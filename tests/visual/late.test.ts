@@ -5,7 +5,7 @@ import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
 import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { lookAtOrientation } from '../../src/scene/view/camera.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import { probeVertices } from '../../src/scene/view/probe.ts';
 import type { RenderSettings } from '../../src/scene/view/view.ts';
 import { DATA_SETTINGS } from '../gpu/support/dataSettings.ts';

@@ -2,7 +2,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../src/math/quat.ts';
 import { length, type Vec3 } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
-import { perspective } from '../../src/scene/view/lens.ts';
+import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings } from '../../src/scene/view/view.ts';
 import { DATA_SETTINGS } from '../gpu/support/dataSettings.ts';
 import type { TestView } from './frames.ts';

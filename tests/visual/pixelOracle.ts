@@ -12,7 +12,8 @@ import { visibleHit } from '../../src/reference/camera/visibleHit.ts';
 import type { TracedScene } from '../../src/reference/intersection/tracedScene.ts';
 import { surfaceAt } from '../../src/reference/materials/surface.ts';
 import type { Motion } from '../../src/scene/types.ts';
-import { frustumOf, pixelsPerTangent } from '../../src/scene/view/lens.ts';
+import { perspectiveOf } from '../../src/scene/view/lenses/lenses.ts';
+import { frustumOf, pixelsPerTangent } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view/view.ts';
 
 /*
@@ -157,7 +158,7 @@ export class PixelOracle {
     const { view, settings, width, height } = this.picture;
     const between = fourVector(settings.speedOfLight * (time - hit.time), sub(position, hit.position));
     const offPlane = dot(hit.normal, spatial(boost(between, properVelocity(hit.velocity))));
-    const pixel = 1 / pixelsPerTangent(frustumOf(view.lens, width, height), width, height);
+    const pixel = 1 / pixelsPerTangent(frustumOf(perspectiveOf(view.lens), width, height), width, height);
     return Math.abs(offPlane) <= MAX_DISPLACEMENT * pixel * -seen[2];
   }
 
@@ -187,7 +188,7 @@ export class PixelOracle {
 
   private project([x, y, z]: Vec3): { x: number; y: number } {
     const { view, width, height } = this.picture;
-    const { tanX, tanY, center } = frustumOf(view.lens, width, height);
+    const { tanX, tanY, center } = frustumOf(perspectiveOf(view.lens), width, height);
     const [right, up] = [(x / -z - center[0]) / tanX, (y / -z - center[1]) / tanY];
     return { x: (width / 2) * (1 + right), y: (height / 2) * (1 - up) };
   }
@@ -204,7 +205,7 @@ export class PixelOracle {
 
   private trace(x: number, y: number): Hit | undefined {
     const { scene, view, settings, width, height } = this.picture;
-    return visibleHit(scene, cameraRay(view, settings, x, y, width, height));
+    return visibleHit(scene, cameraRay(view, settings, x, y, width, height)!);
   }
 }
 

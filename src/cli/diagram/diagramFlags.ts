@@ -2,7 +2,7 @@ import type { ColorScheme } from '../../diagrams/lineStyle.ts';
 import type { DiagramKind } from '../../diagrams/sceneDiagram.ts';
 import type { DiagramFrame } from '../../diagrams/spacetimeDiagram.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { SceneOrProjectFlags } from '../flags/sceneOrProjectFlags.ts';
 
 export interface DiagramFlags extends SceneOrProjectFlags {

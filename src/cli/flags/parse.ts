@@ -4,7 +4,7 @@ import { length, type Vec3 } from '../../math/vec3.ts';
 import { listed, type Message, msg } from '../../messages/message.ts';
 import { MAX_SAMPLES } from '../../reference/lights/lightOptions.ts';
 import type { NumberRange } from '../../scene/settings/setting.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { AOVS, type AovName } from '../../scene/view/view.ts';
 import { InvalidValue } from '../terminal/commandLineErrors.ts';
 import { localized } from '../terminal/language.ts';

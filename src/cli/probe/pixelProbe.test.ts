@@ -7,7 +7,7 @@ import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
 import { plane, sphere } from '../../scene/mesh/primitives.ts';
 import type { SceneObject } from '../../scene/types.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
-import { perspective } from '../../scene/view/lens.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { probePixel } from './pixelProbe.ts';
 

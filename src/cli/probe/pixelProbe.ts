@@ -6,7 +6,7 @@ import { cameraRay } from '../../reference/camera/cameraRay.ts';
 import { visibleHit } from '../../reference/camera/visibleHit.ts';
 import { createTracedScene } from '../../reference/intersection/tracedScene.ts';
 import type { Scene } from '../../scene/types.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { VertexProbe } from '../../scene/view/probe.ts';
 import { type DataAov, DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
 import { isLuminous, placementIn, type ViewSettings } from '../../scene/views/views.ts';
@@ -41,6 +41,7 @@ export function probePixel(
 ): PixelProbe | undefined {
   const settings = { ...DEFAULT_SETTINGS, ...how, speedOfLight: c };
   const ray = cameraRay(view, settings, x + 0.5, y + 0.5, size.width, size.height);
+  if (!ray) return undefined;
   const traced = createTracedScene(scene, c);
   const hit = visibleHit(traced, ray);
   if (!hit) return undefined;

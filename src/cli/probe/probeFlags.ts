@@ -1,5 +1,5 @@
 import type { SettingName } from '../../scene/settings/settings.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { SceneFlags } from '../flags/sceneFlags.ts';
 import type { ObserverFlags, SettingFlags } from '../flags/viewFlags.ts';
 

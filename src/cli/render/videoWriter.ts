@@ -2,7 +2,7 @@ import { type ChildProcessByStdio, spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import type { Readable, Writable } from 'node:stream';
 import { msg } from '../../messages/message.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { killWhenStopped, OutputFile } from '../files/outputFile.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 

@@ -1,4 +1,4 @@
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 
 /** From the left and the top [px]. */
 type Place = readonly [left: number, top: number];

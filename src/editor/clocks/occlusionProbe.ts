@@ -1,5 +1,5 @@
 import type { PickedSurface, PickResult } from '../../render/settings.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { PicturedClock } from './picturedClock.ts';
 
 /** Least time between two readings [ms]: each waits for the GPU, and may draw a picture at rest once more. */

@@ -6,7 +6,7 @@ import { type Clock, objectClocks } from '../../scene/clocks/clock.ts';
 import { IDENTITY_POSE, makeObject } from '../../scene/defaults.ts';
 import { sphere } from '../../scene/mesh/primitives.ts';
 import type { Lifetime } from '../../scene/motion/motionTypes.ts';
-import { perspective } from '../../scene/view/lens.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import { orbitCamera } from '../../scene/view/outsideCamera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 import { picturedClock } from './picturedClock.ts';

@@ -1,7 +1,7 @@
 import type { Clock } from '../../scene/clocks/clock.ts';
 import { isAlive } from '../../scene/motion/lifetimes.ts';
 import { drawnFrom } from '../../scene/view/drawnFrom.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { picturedDepth, picturedEvent, projectOffset } from '../inspect/projectLine.ts';
 import type { PicturePosition } from '../viewport/legend/legendState.ts';

@@ -5,7 +5,7 @@ import type { SpacetimeDiagram } from '../../diagrams/spacetimeDiagram.ts';
 import { diagramSvg } from '../../diagrams/svg.ts';
 import { msg } from '../../messages/message.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';

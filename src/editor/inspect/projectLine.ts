@@ -1,11 +1,11 @@
 import { conjugate, rotate } from '../../math/quat.ts';
-import { length, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { length, normalize, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { hypersurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import type { SimultaneousEvent } from '../../physics/worldLines/slice.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { drawnFrom } from '../../scene/view/drawnFrom.ts';
-import { frustumOf } from '../../scene/view/lens.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import { lensPixel } from '../../scene/view/lenses/lenses.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { hypersurfaceChoice, placementIn } from '../../scene/views/views.ts';
 import type { PicturePosition } from '../viewport/legend/legendState.ts';
@@ -26,10 +26,9 @@ export function projectOffset(
   { width, height }: PictureSize,
 ): PicturePosition | undefined {
   const { orientation, lens } = viewPoint;
-  const [x, y, z] = rotate(conjugate(orientation), fromCamera(offset, viewPoint, settings));
-  if (!(z < 0)) return undefined;
-  const { tanX, tanY, center } = frustumOf(lens, width, height);
-  return [(1 + (x / -z - center[0]) / tanX) / 2, (1 - (y / -z - center[1]) / tanY) / 2];
+  const place = normalize(rotate(conjugate(orientation), fromCamera(offset, viewPoint, settings)));
+  const pixel = lensPixel(lens, place, { width, height });
+  return pixel && [pixel[0] / width, pixel[1] / height];
 }
 
 /** How far from the camera a picture shows an event that is observer → event `offset`, world frame: its depth [m]. */

@@ -1,7 +1,7 @@
 import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
 import { contentKey } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { sceneUpVector } from '../state/observer.ts';
 import { sampleWorker, tessellationWorker } from '../viewport/rendererWorkers.ts';

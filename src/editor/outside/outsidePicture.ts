@@ -6,7 +6,7 @@ import type { FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
 import { type Orbit, type OutsideCamera, orbitCamera } from '../../scene/view/outsideCamera.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 
 /** What the outside view shows: the world as it is now, or each point where it was when its light left. */

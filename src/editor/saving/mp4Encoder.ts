@@ -1,5 +1,5 @@
 import { i420 } from '../../formats/image/i420.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { Mp4File } from './mp4File.ts';
 
 /** Bits per pixel and frame: high quality, since films are kept. */

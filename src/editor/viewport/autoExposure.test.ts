@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { meteredExposure } from '../../nodes/pictures/metering.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
-import { perspective } from '../../scene/view/lens.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import { type LightMeterReadings, METER_CELLS } from '../../scene/view/metering.ts';
 import { DEFAULT_SETTINGS } from '../../scene/view/view.ts';
 import { AutoExposure, type MeteredPicture } from './autoExposure.ts';

@@ -2,7 +2,8 @@ import { adaptExposure, exposureForMetering, measuredFalseColorScale } from '../
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { contentKey } from '../../scene/frameGraph/frameGraph.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
-import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 

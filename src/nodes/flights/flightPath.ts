@@ -4,7 +4,7 @@ import type { FlightRecording } from '../../flight/recording/recording.ts';
 import type { FrameSpacing } from '../../flight/spacing.ts';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
-import type { Lens } from '../../scene/view/lens.ts';
+import type { Lens } from '../../scene/view/lenses/lenses.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { flightViewPoint } from './flightViewPoint.ts';
 

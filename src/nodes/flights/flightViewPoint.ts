@@ -1,6 +1,6 @@
 import { type FlightConditions, seenVelocity } from '../../flight/arc.ts';
 import { type FlightState, observerOf, pictureVelocity } from '../../flight/flightState.ts';
-import type { Lens } from '../../scene/view/lens.ts';
+import type { Lens } from '../../scene/view/lenses/lenses.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 
 /** What an observer in flight sees from. */

@@ -4,7 +4,8 @@ import { withPngText } from '../../formats/image/pngText.ts';
 import type { AovValues, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { Scene } from '../../scene/types.ts';
 import { observerMetadata, pictureMetadata } from '../../scene/view/pictureMetadata.ts';
-import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import { AOVS, type AovName, type RenderSettings } from '../../scene/view/view.ts';
 
 /** Metadata of a picture. */

@@ -1,6 +1,6 @@
 import type { PictureRequest } from '../../pipelines/pictureRenderer.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { adaptExposure, exposureForMetering } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
 

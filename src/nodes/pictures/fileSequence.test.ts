@@ -4,6 +4,7 @@ import { savingProject } from '../../../tests/support/savingGraph.ts';
 import type { Command } from '../../graph/edits/commands.ts';
 import { Evaluator } from '../../graph/evaluation/evaluator.ts';
 import { velocity } from '../../physics/lorentz/boost.ts';
+import { perspectiveOf } from '../../scene/view/lenses/lenses.ts';
 import { nodeLibrary } from '../library.ts';
 import { fileNodesIn, requestedFiles } from '../project/fileNodes.ts';
 import { workerServices } from '../services.ts';
@@ -32,7 +33,7 @@ describe('pictures for a file', () => {
     expect(still).toMatchObject({ size: { width: 64, height: 48 }, samples: 2, aovs: [], frames: [{ t: 0.5 }] });
     expect(still.settings).toMatchObject({ speedOfLight: 10, lightDelay: false });
     expect(still.views(0.5)[0]).toMatchObject({ t: 0.5, position: [0, 1, 6], u: [0, 0, 0] });
-    expect(still.views(0.5)[0].lens.fovY).toBeCloseTo(Math.PI / 2, 12);
+    expect(perspectiveOf(still.views(0.5)[0].lens).fovY).toBeCloseTo(Math.PI / 2, 12);
   });
 
   it('have one sample without antialiasing, and light if requested', async () => {

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../math/quat.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
-import { perspective } from '../../scene/view/lens.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import { METER_CELLS } from '../../scene/view/metering.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';

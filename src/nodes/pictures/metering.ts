@@ -1,7 +1,8 @@
 import { skyDoppler } from '../../reference/post/falseColor.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
 import { type LightMeterReadings, METER_CELLS, relativeLuminance } from '../../scene/view/metering.ts';
-import { type PictureSize, type PictureViews, scaleViewports } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import { type PictureViews, scaleViewports } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import { isLuminous } from '../../scene/views/views.ts';
 import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';

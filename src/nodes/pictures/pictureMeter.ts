@@ -2,7 +2,8 @@ import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import { AOVS_OF_FALSE_COLOR, falseColorValues } from '../../reference/post/falseColor.ts';
 import { includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
 import { type LightMeterReadings, METER_CELLS, meterPixel } from '../../scene/view/metering.ts';
-import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity } from '../../spectrum/falseColor/falseColor.ts';
 

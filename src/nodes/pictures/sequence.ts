@@ -1,7 +1,8 @@
 import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import { falseColorLegendHeight } from '../../reference/figures/falseColorLegend.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
-import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import type { FrameTime } from '../project/outputFiles.ts';
 import type { PictureInfo } from './encode.ts';

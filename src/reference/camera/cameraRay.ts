@@ -1,13 +1,13 @@
 import { rotate } from '../../math/quat.ts';
-import { normalize, type Vec3 } from '../../math/vec3.ts';
-import { frustumOf } from '../../scene/view/lens.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { lensDirection } from '../../scene/view/lenses/lenses.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 
 /**
  * The camera ray of the point (x, y) of a picture [px from its top left corner; the first pixel's centre is at (½, ½)]. Its `s` is the apparent
- * distance in the observer's frame [m], the depth in pictures. Throws a RangeError if the view has a vantage. The solver setting, which is for comparisons in the rasterizer, is ignored.
+ * distance in the observer's frame [m], the depth in pictures. Undefined where the lens shows nothing, outside the circle of a fisheye. Throws a RangeError if the view has a vantage. The solver setting, which is for comparisons in the rasterizer, is ignored.
  * docs/physics.md §3.7.
  * @example
  * import { DEFAULT_SETTINGS, perspective } from 'slowlight/scene';
@@ -28,23 +28,22 @@ export function cameraRay(
   y: number,
   width: number,
   height: number,
-): SpacetimeRay {
+): SpacetimeRay | undefined {
   if (view.vantage) throw new RangeError('rays meet at the eye of the observer: a vantage is for the rasterizer');
-  return rayToward(view, settings, directionAt(view, x, y, width, height));
+  const n = directionAt(view, x, y, width, height);
+  return n && rayToward(view, settings, n);
 }
 
-/** n′ of a point of the picture: unit, observer's frame, on the world's axes carried by the pure boost. */
+/** n′ of a point of the picture: unit, observer's frame, on the world's axes carried by the pure boost; undefined where the lens shows nothing. */
 export function directionAt(
   { orientation, lens }: ViewPoint,
   x: number,
   y: number,
   width: number,
   height: number,
-): Vec3 {
-  const { tanY, aspect, center } = frustumOf(lens, width, height);
-  const right = ((2 * x) / width - 1) * tanY * aspect + center[0];
-  const up = (1 - (2 * y) / height) * tanY + center[1];
-  return normalize(rotate(orientation, [right, up, -1]));
+): Vec3 | undefined {
+  const direction = lensDirection(lens, x, y, { width, height });
+  return direction && rotate(orientation, direction);
 }
 
 /**

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { makeObject, makeScene } from '../../scene/defaults.ts';
 import { plane } from '../../scene/mesh/primitives.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
-import { perspective } from '../../scene/view/lens.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { createTracedScene } from '../intersection/tracedScene.ts';
 import { groundGrid } from './groundGrid.ts';

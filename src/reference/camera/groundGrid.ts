@@ -36,12 +36,13 @@ export function groundGrid(
   /** Where a direction meets the ground, in grid steps. */
   const place = (n: Vec3): readonly number[] =>
     [east, north].map((axis) => (dot(view.position, axis) + distanceAlong(n) * dot(n, axis)) / step);
-  const placeAt = (x: number, y: number) => place(directionAt(view, x, y, width, height));
   return (x, y, depth) => {
     const n = directionAt(view, x, y, width, height);
+    const [toRight, below] = [directionAt(view, x + 1, y, width, height), directionAt(view, x, y + 1, width, height)];
+    if (!n || !toRight || !below) return NONE;
     const distance = distanceAlong(n);
     if (!(distance > 0 && distance < 1.02 * depth)) return NONE;
-    const [here, across, down] = [place(n), placeAt(x + 1, y), placeAt(x, y + 1)];
+    const [here, across, down] = [place(n), place(toRight), place(below)];
     const footprint = here.map((p, k) => Math.max(Math.abs(across[k] - p) + Math.abs(down[k] - p), 1e-6));
     const minor = lines(here, footprint, 1.1);
     const major = lines(

@@ -8,7 +8,7 @@ import { makeObject } from '../../scene/defaults.ts';
 import { box, plane, sphere } from '../../scene/mesh/primitives.ts';
 import { resampleRotation } from '../../scene/motion/resample.ts';
 import type { Mesh, Motion, SampledMotion, SceneObject } from '../../scene/types.ts';
-import { perspective } from '../../scene/view/lens.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import type { Hit } from '../acceleration/ray.ts';
 import { dopplerOfHit } from '../aov.ts';
 import { cameraRay, rayToward } from '../camera/cameraRay.ts';
@@ -264,7 +264,7 @@ describe('a scene described in another frame', () => {
     const met = [0, 0, 0];
     for (let i = 0; i < 2400; i++) {
       const [x, y] = [(i % 60) + 0.5, Math.floor(i / 60) + 0.5];
-      const [a, b] = [cameraRay(here, LIGHT, x, y, 60, 40), cameraRay(there, LIGHT, x, y, 60, 40)];
+      const [a, b] = [cameraRay(here, LIGHT, x, y, 60, 40)!, cameraRay(there, LIGHT, x, y, 60, 40)!];
       const [p, q] = [nearestHit(one, a), nearestHit(other, b)];
       expect(q?.object, `${x} ${y}`).toBe(p?.object);
       if (!p || !q) continue;

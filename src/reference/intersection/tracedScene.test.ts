@@ -248,9 +248,9 @@ describe('camera rays', () => {
     ));
 
   it('pass through the pixels of a picture', () => {
-    const center = cameraRay(viewFrom(), settingsFor('galilean'), 160, 90, 320, 180);
+    const center = cameraRay(viewFrom(), settingsFor('galilean'), 160, 90, 320, 180)!;
     expectClose(center.dx, [0, 0, -1], 1e-15);
-    const corner = cameraRay(viewFrom(), settingsFor('galilean'), 0, 0, 320, 180);
+    const corner = cameraRay(viewFrom(), settingsFor('galilean'), 0, 0, 320, 180)!;
     expectClose(corner.dx, normalize([-16 / 9, 1, -1]), 1e-15);
   });
 

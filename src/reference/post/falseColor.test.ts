@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../math/quat.ts';
 import { ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { perspective } from '../../scene/view/lens.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import { type AovName, DEFAULT_SETTINGS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import { fitScale } from '../../spectrum/falseColor/falseColorScale.ts';

@@ -1,7 +1,8 @@
 import { ZERO } from '../../math/vec3.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { relativeLuminance } from '../../scene/view/metering.ts';
-import { type PictureSize, type PictureViews, viewPixelAt } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import { type PictureViews, viewPixelAt } from '../../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import { isLuminous } from '../../scene/views/views.ts';
 import { encodeSrgb } from '../../spectrum/display/srgb.ts';
@@ -63,7 +64,7 @@ const timeAt = ({ views, width, height }: FalseColorInput, i: number): number =>
 
 /**
  * D of light from objects at rest in the world, at the point (x, y) of a picture [px, from the top left]; 1 in views without light, NaN outside of
- * all views.
+ * all views and where a lens shows nothing.
  */
 export function skyDoppler(
   views: PictureViews,
@@ -76,7 +77,8 @@ export function skyDoppler(
   const found = viewPixelAt(views, size, x, y);
   if (!found) return Number.NaN;
   const { view, width, height } = found;
-  return dopplerFactor(cameraRay(view, settings, found.x, found.y, width, height).dx, view.u, ZERO);
+  const ray = cameraRay(view, settings, found.x, found.y, width, height);
+  return ray ? dopplerFactor(ray.dx, view.u, ZERO) : Number.NaN;
 }
 
 /** The false-colour picture: RGBA, sRGB, opaque. */

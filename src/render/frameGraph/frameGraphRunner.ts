@@ -1,33 +1,19 @@
 import { Fn, uniform, vec3, vec4 } from 'three/tsl';
-import type { PerspectiveCamera, RenderTarget } from 'three/webgpu';
+import type { RenderTarget } from 'three/webgpu';
 import type { FrameGraph, FrameGraphPass } from '../../scene/frameGraph/frameGraph.ts';
 import { toneMaps } from '../../shaders/color/toneMap.ts';
-import type { DeferredPass, GBufferView } from '../deferredPass.ts';
+import type { BufferLight, DeferredPass, GBufferView } from '../deferredPass.ts';
 import { dataTarget } from '../gbuffer/gbuffer.ts';
 import type { Gpu } from '../gpu/device.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { FullScreenPass, texelHere } from '../gpu/fullScreenPass.ts';
 import { IMAGE_RANGE } from '../gpu/lightRange.ts';
+import type { PictureSample } from '../pictureSample.ts';
 import { decodeSrgb } from '../post/display/display.ts';
 import { FalseColorTable, falseColored } from '../post/display/falseColor.ts';
 import { EffectPasses, type EffectValues, type PassInputs } from '../post/effectPasses.ts';
 import { StillImage } from './stillImage.ts';
 import { allocateTargets, linearSourceOf } from './targetAllocation.ts';
-
-/** The view of a G-buffer, and how its uniforms are set. */
-export interface BoundRenderView {
-  readonly view: GBufferView;
-  /** Sets the uniforms and the camera. */
-  readonly bind: () => void;
-}
-
-/** Per-sample input of a frame graph. */
-interface SampleInput {
-  readonly views: readonly [BoundRenderView, ...BoundRenderView[]];
-  readonly camera: PerspectiveCamera;
-  /** World time of the observer [s]. */
-  readonly time: number;
-}
 
 /** Called with the index and the image of a pass after it has run. */
 export type PassListener = (pass: number, image: RenderTarget) => void;
@@ -90,17 +76,21 @@ export class FrameGraphRunner {
     });
   }
 
-  /** Draws one sample and returns its target. `onPass` is called after each pass; later passes may overwrite its image. */
-  draw({ passes }: FrameGraph, { views, camera, time }: SampleInput, onPass?: PassListener): RenderTarget {
-    views.forEach(({ view, bind }, buffer) => {
-      bind();
-      this.deferredPass(buffer).drawGeometry(view, camera);
-      passes.forEach((pass, i) => {
-        if (pass.kind === 'light' && pass.buffer === buffer) this.drawLight(pass, i, view, camera);
-      });
-    });
+  /** The lights that a frame graph needs before `draw`. */
+  lights({ passes }: FrameGraph, { views }: Pick<PictureSample, 'views'>): readonly BufferLight[] {
+    return passes.flatMap((pass, i) =>
+      pass.kind === 'light' ? [lightOf(pass, this.lightIndices[i], views[pass.buffer].view)] : [],
+    );
+  }
+
+  /** Draws all but the lights of one sample, while its first G-buffer is bound, and returns its target. `onPass` is called after each pass; later passes may overwrite its image. */
+  draw(
+    { passes }: FrameGraph,
+    { views, time }: Pick<PictureSample, 'views' | 'time'>,
+    onPass?: PassListener,
+  ): RenderTarget {
     this.updateStills({ passes });
-    let boundBuffer = views.length - 1;
+    let boundBuffer = 0;
     const bindBuffer = (buffer: number): void => {
       if (buffer !== boundBuffer) views[buffer].bind();
       boundBuffer = buffer;
@@ -117,18 +107,6 @@ export class FrameGraphRunner {
   dispose(): void {
     for (const owned of [...this.passRunners, ...this.stills]) owned?.dispose();
     for (const target of this.pool) target.dispose();
-  }
-
-  private drawLight(
-    { buffer, shadows, occlusion }: Extract<FrameGraphPass, { kind: 'light' }>,
-    i: number,
-    view: GBufferView,
-    camera: PerspectiveCamera,
-  ): void {
-    const { settings } = view;
-    const occlusionRadius = occlusion ? settings.occlusionRadius : 0;
-    const lighting = { shadows: shadows && settings.shadows, occlusionRadius };
-    this.deferredPass(buffer).drawLight(view, camera, lighting, this.lightIndices[i]);
   }
 
   private makeRunner(pass: FrameGraphPass, i: number, passes: readonly FrameGraphPass[]): PassRunner | undefined {
@@ -238,6 +216,11 @@ export class FrameGraphRunner {
 }
 
 const NO_VALUES: EffectValues = { args: [] };
+
+function lightOf({ buffer, shadows, occlusion }: Of<'light'>, index: number, { settings }: GBufferView): BufferLight {
+  const occlusionRadius = occlusion ? settings.occlusionRadius : 0;
+  return { buffer, index, lighting: { shadows: shadows && settings.shadows, occlusionRadius } };
+}
 
 type Of<Kind extends FrameGraphPass['kind']> = Extract<FrameGraphPass, { readonly kind: Kind }>;
 

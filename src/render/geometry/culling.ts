@@ -2,7 +2,7 @@ import { type Quat, rotate } from '../../math/quat.ts';
 import { addScaled, dot, length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { gamma } from '../../physics/lorentz/boost.ts';
 import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
-import type { Frustum } from '../../scene/view/lens.ts';
+import type { Frustum } from '../../scene/view/lenses/perspectiveLens.ts';
 
 /** Directions n with n·axis ≥ cosine, |axis| = 1. Covers more than half the sky where cosine < 0. */
 export interface Cone {

@@ -1,6 +1,7 @@
 import { uniform } from 'three/tsl';
 import { Matrix3, Vector2, Vector3 } from 'three/webgpu';
 import { backdropColors } from '../../scene/lights/sceneLights.ts';
+import { makeLensUniforms } from '../lenses/lensUniforms.ts';
 import { makeObserverUniforms } from './observerUniforms.ts';
 
 const DAY = backdropColors({ lights: [] });
@@ -30,6 +31,7 @@ export function makeFrameUniforms() {
     /** Half the width and height of the picture at distance 1, and where its centre is there (`Frustum` of scene/view/lens.ts). */
     halfTangents: uniform(new Vector2(1, 1)),
     frustumCenter: uniform(new Vector2()),
+    lens: makeLensUniforms(),
     /** Offset of this sample within its pixel, in half-pictures (NDC). */
     jitter: uniform(new Vector2()),
     /** From the camera to the observer, on its axes (`OutsideCamera`) [m]. */

@@ -10,7 +10,7 @@ import {
   type TextureNode,
   type WebGPURenderer,
 } from 'three/webgpu';
-import type { Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { FrameUniforms } from './frameUniforms.ts';
 
 /** The pixels that a pass covers on a target with the G-buffer's depth: those with a surface, or those without. */
@@ -56,8 +56,17 @@ export class FullScreenPass {
 /** The texel of a texture of the target's size at this fragment. */
 export const texelHere = (of: Texture | TextureNode): Vec4 => textureLoad(of, ivec2(screenCoordinate));
 
-/** Unit direction of this pixel in the observer's frame, on the world axes that the boost carries. */
-export function pixelDirection({ halfTangents, frustumCenter, jitter, orientation }: FrameUniforms): Vec3 {
-  const ndc = attribute<'vec3'>('position', 'vec3').xy.add(jitter);
-  return normalize(orientation.mul(vec3(ndc.mul(halfTangents).add(frustumCenter), -1)));
+/**
+ * Unit direction of this pixel in the observer's frame, on the world axes that the boost carries, in what is drawn with a perspective lens: also the faces of
+ * other lenses' pictures. `pixelDirection` (lenses/pixelDirection.ts) is for passes over whole pictures.
+ */
+export function frustumDirection(uniforms: FrameUniforms): Vec3 {
+  const ndc = attribute<'vec3'>('position', 'vec3').xy.add(uniforms.jitter);
+  return normalize(uniforms.orientation.mul(vec3(frustumTangents(ndc, uniforms), -1)));
 }
+
+/** Tangents of the angles from the forward axis at a place of the picture, −1 … 1 to the right and up. */
+export const frustumTangents = (
+  place: Vec2,
+  { halfTangents, frustumCenter }: Pick<FrameUniforms, 'halfTangents' | 'frustumCenter'>,
+): Vec2 => place.mul(halfTangents).add(frustumCenter);

@@ -5,6 +5,8 @@ interface PassOptions {
   /** Serial number of the scene upload that the pass reads. */
   readonly owner?: number;
   readonly region?: PassRegion;
+  /** Whether what the target holds is kept, except where the pass draws. */
+  readonly over?: boolean;
 }
 
 /** Full-screen passes by name, created on first use and cached. */
@@ -16,11 +18,16 @@ export class PassCache {
     this.renderer = renderer;
   }
 
-  run(name: string, output: () => Node, target: RenderTarget | null, { owner, region }: PassOptions = {}): void {
+  run(
+    name: string,
+    output: () => Node,
+    target: RenderTarget | null,
+    { owner, region, over = region === 'surfaces' }: PassOptions = {},
+  ): void {
     const key = owner === undefined ? name : `${owner}/${name}`;
     const pass = this.passes.get(key) ?? new FullScreenPass(output(), name, region);
     this.passes.set(key, pass);
-    pass.render(this.renderer, target, region === 'surfaces');
+    pass.render(this.renderer, target, over);
   }
 
   /** Disposes of the passes that read a scene. */

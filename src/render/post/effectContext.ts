@@ -24,6 +24,8 @@ import type { Bool, Float, Int, Vec2, Vec3, Vec4 } from '../../shaders/types.ts'
 import type { TargetName } from '../gbuffer/surface.ts';
 import { unpackNormals, unpackRoughnessAndOcclusion, unpackSpecular } from '../gbuffer/surfacePacking.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+import { frustumTangents } from '../gpu/fullScreenPass.ts';
+import { cameraDirection } from '../lenses/pixelDirection.ts';
 
 /** Three's types do not know the columns of a matrix. */
 interface Matrix {
@@ -141,15 +143,24 @@ export class EffectContext {
   /** The direction that this pixel shows: unit, world frame. */
   direction(): Vec3 {
     const { u, gamma, boosted, orientation } = this.uniforms;
-    const nPrime = normalize(orientation.mul(vec3(this.tangents(this.pixel), -1))).toVar();
+    const nPrime = orientation.mul(this.cameraDirection(this.pixel)).toVar();
     return normalize(mix(nPrime, unaberrate(nPrime, u, gamma), boosted));
   }
 
-  /** Tangents of a pixel's angles from the forward axis, right and up. */
+  /** Direction of a pixel, on the camera's axes: unit. */
+  private cameraDirection(pixel: Vec2): Vec3 {
+    return cameraDirection(this.placeOf(pixel), this.uniforms);
+  }
+
+  /** Tangents of a pixel's angles from the forward axis, right and up; of a perspective lens. */
   tangents(pixel: Vec2): Vec2 {
+    return frustumTangents(this.placeOf(pixel), this.uniforms);
+  }
+
+  /** Place of a pixel's centre in the picture, −1 … 1 to the right and up. */
+  private placeOf(pixel: Vec2): Vec2 {
     const ndc = pixel.add(0.5).div(this.image.size).mul(2).sub(1);
-    const { halfTangents, frustumCenter } = this.uniforms;
-    return vec2(ndc.x, ndc.y.negate()).mul(halfTangents).add(frustumCenter);
+    return vec2(ndc.x, ndc.y.negate());
   }
 
   /** The second image; 0 if there is none. */
@@ -172,7 +183,7 @@ export class EffectContext {
 
   /** Direction of the pixel in the picture's space, the observer's frame on world axes carried by the boost: unit. */
   apparentDirection(pixel: Vec2): Vec3 {
-    return this.uniforms.orientation.mul(normalize(vec3(this.tangents(pixel), -1)));
+    return this.uniforms.orientation.mul(this.cameraDirection(pixel));
   }
 
   /** Observer → apparent position, observer's frame on world axes carried by the boost [m]. */

@@ -16,7 +16,7 @@ import {
 import { type SpacetimeProjection, vCameraPosition, vertexStage } from '../geometry/vertexStage.ts';
 import { logarithmicDepth } from '../gpu/depth.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
-import { pixelDirection, texelHere } from '../gpu/fullScreenPass.ts';
+import { frustumDirection, texelHere } from '../gpu/fullScreenPass.ts';
 import { type LightRange, limitLight } from '../gpu/lightRange.ts';
 import type { Environment } from '../lights/environment.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
@@ -48,7 +48,7 @@ export const skyPass = (
   range: LightRange,
 ): Vec4 =>
   Fn(() =>
-    vec4(limitLight(backgroundRadiance(environment, uniforms, pipeline, pixelDirection(uniforms)), range.max), 1),
+    vec4(limitLight(backgroundRadiance(environment, uniforms, pipeline, frustumDirection(uniforms)), range.max), 1),
   )();
 
 /** Deferred shading, for pixels with a surface. `moving`: whether anything in the scene moves; `openness`: the ambient occlusion target, if it is used. */

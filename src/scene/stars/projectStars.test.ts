@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { fromAxisAngle, IDENTITY, type Quat, rotate } from '../../math/quat.ts';
 import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
-import { perspective } from '../view/lens.ts';
+import { perspective } from '../view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../view/view.ts';
 import { projectStars } from './projectStars.ts';
 

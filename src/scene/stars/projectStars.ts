@@ -3,7 +3,7 @@ import { scale, ZERO } from '../../math/vec3.ts';
 import { aberrate } from '../../physics/optics/aberration.ts';
 import { observerDoppler } from '../../physics/optics/doppler.ts';
 import type { NightSky } from '../types.ts';
-import { frustumOf } from '../view/lens.ts';
+import { lensPixel, pixelSolidAngle } from '../view/lenses/lenses.ts';
 import type { RenderSettings, ViewPoint } from '../view/view.ts';
 import { isLuminous, VIEWS } from '../views/views.ts';
 import { MAX_SPREAD_RADIUS, spreadRadius } from './pointSpread.ts';
@@ -28,27 +28,26 @@ export function projectStars(
 ): number {
   const boosted = VIEWS[settings.view].placement(settings) === 'apparent';
   const u = isLuminous(settings) ? view.u : ZERO;
-  const { tanX, tanY, center } = frustumOf(view.lens, width, height);
-  const pixel = (4 * tanX * tanY) / (width * height);
+  const size = { width, height };
   const toCamera = conjugate(view.orientation);
   let count = 0;
   for (let i = 0; i < stars.temperatures.length; i++) {
     const n = rotate(orientation, [stars.directions[3 * i], stars.directions[3 * i + 1], stars.directions[3 * i + 2]]);
-    const [x, y, z] = rotate(toCamera, boosted ? aberrate(n, u) : n);
-    if (z >= 0) continue;
-    const place = [x / (-z * tanX) - center[0] / tanX, y / (-z * tanY) - center[1] / tanY];
-    const outside = (pixels: number) =>
-      Math.abs(place[0]) > 1 + (2 * pixels) / width || Math.abs(place[1]) > 1 + (2 * pixels) / height;
+    const pixel = lensPixel(view.lens, rotate(toCamera, boosted ? aberrate(n, u) : n), size);
+    if (!pixel) continue;
+    const [x, y] = pixel;
+    const outside = (pixels: number) => x < -pixels || x > width + pixels || y < -pixels || y > height + pixels;
     // Most stars are outside, and the radiance is expensive.
     if (outside(MAX_SPREAD_RADIUS)) continue;
     const D = observerDoppler(n, u);
-    // Solid angle of a pixel falls with cos³ of the angle from the view direction.
-    const share = (gain * stars.illuminances[i]) / (pixel * (-z) ** 3);
+    const solidAngle = pixelSolidAngle(view.lens, x, y, size);
+    if (solidAngle === 0) continue;
+    const share = (gain * stars.illuminances[i]) / solidAngle;
     const light = scale(starlight(stars.temperatures[i], D, settings), share / (boosted ? D * D : 1));
     const brightest = Math.max(...light) * 2 ** settings.exposure;
     const half = spreadRadius(brightest);
     if (outside(half)) continue;
-    out.positions.set([...place, half], 3 * count);
+    out.positions.set([(2 * x) / width - 1, 1 - (2 * y) / height, half], 3 * count);
     out.radiances.set(light, 3 * count++);
   }
   return count;

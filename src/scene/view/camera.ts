@@ -10,7 +10,8 @@ import type { Support } from '../bounds/supportMap.ts';
 import { restingAt } from '../defaults.ts';
 import { originWorldLine, poseAt, sampleTimes } from '../motion/motion.ts';
 import type { Scene, SceneCamera } from '../types.ts';
-import { type Lens, perspective } from './lens.ts';
+import type { Lens } from './lenses/lenses.ts';
+import { perspective } from './lenses/perspectiveLens.ts';
 
 /** The observer at a camera at one moment. */
 export interface CameraState {

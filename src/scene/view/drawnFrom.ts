@@ -1,6 +1,6 @@
 import { add, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { VIEWS } from '../views/views.ts';
-import { perspective } from './lens.ts';
+import { perspective } from './lenses/perspectiveLens.ts';
 import type { OutsideCamera } from './outsideCamera.ts';
 import type { RenderSettings, ViewPoint } from './view.ts';
 

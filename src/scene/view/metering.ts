@@ -1,4 +1,6 @@
-import { type PictureSize, type PixelRect, rectContains } from './pictureViews.ts';
+import { type Lens, pixelSolidAngle } from './lenses/lenses.ts';
+import type { PictureSize } from './pictureSize.ts';
+import { type PixelRect, rectContains } from './pictureViews.ts';
 
 /** Pictures are metered at the centres of this many equal cells across and down. */
 export const METER_CELLS = 64;
@@ -40,4 +42,18 @@ export function mergeReadings(
   const merged = (channel: keyof LightMeterReadings): Float32Array =>
     Float32Array.from(sources, (source) => (source ? source.readings[channel][source.cell] : Number.NaN));
   return { luminance: merged('luminance'), doppler: merged('doppler'), time: merged('time') };
+}
+
+/** Readings of a picture of this size, with NaN where its lens shows nothing. */
+export function readingsInPicture(readings: LightMeterReadings, lens: Lens, size: PictureSize): LightMeterReadings {
+  const isShown = (cell: number): boolean =>
+    pixelSolidAngle(
+      lens,
+      meterPixel(cell % METER_CELLS, size.width) + 0.5,
+      meterPixel(Math.floor(cell / METER_CELLS), size.height) + 0.5,
+      size,
+    ) > 0;
+  const shown = (values: Float32Array): Float32Array => values.map((value, i) => (isShown(i) ? value : Number.NaN));
+  if (lens.kind !== 'fisheye') return readings;
+  return { luminance: shown(readings.luminance), doppler: shown(readings.doppler), time: shown(readings.time) };
 }

@@ -5,7 +5,7 @@ import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { isStatic } from '../motion/motion.ts';
 import type { SceneCamera } from '../types.ts';
 import { observerFromCamera, riddenLine } from './camera.ts';
-import { perspective } from './lens.ts';
+import { perspective } from './lenses/perspectiveLens.ts';
 import type { ViewPoint } from './view.ts';
 
 /** The observer at world time t [s]. */

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { IDENTITY, rotate } from '../../math/quat.ts';
 import { add, distance, dot, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { drawnFrom, toObserver } from './drawnFrom.ts';
-import { perspective } from './lens.ts';
+import { perspective } from './lenses/perspectiveLens.ts';
 import { orbitCamera } from './outsideCamera.ts';
 import { bufferSettings, DEFAULT_SETTINGS, extraBuffers, type ViewPoint } from './view.ts';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { perspective } from './lens.ts';
+import { perspective } from './lenses/perspectiveLens.ts';
 import { pictureMetadata } from './pictureMetadata.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from './view.ts';
 

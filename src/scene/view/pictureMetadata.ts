@@ -3,6 +3,7 @@ import { length, type Vec3 } from '../../math/vec3.ts';
 import { velocity } from '../../physics/lorentz/boost.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import { RENDERER_SETTINGS, settingNamed } from '../settings/settings.ts';
+import type { Lens } from './lenses/lenses.ts';
 import type { RenderSettings, ViewPoint } from './view.ts';
 
 // Header metadata of picture files, named as in docs/conventions.md. It describes the picture only, not the machine or the files that it comes from.
@@ -27,11 +28,27 @@ export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Reco
   return {
     Software: 'Slowlight',
     ...observerMetadata(view, settings.speedOfLight),
-    fieldOfView: `${degrees(view.lens.fovY)} degrees`,
+    ...lensMetadata(view.lens),
     ...settingsMetadata(settings, showsLight),
     ...(outside && { outsideCamera: `${vector(outside.place)} m from the ${outside.follows ? 'observer' : 'origin'}` }),
     ...(falseColors && { falseColors: falseColorRange(falseColors) }),
   };
+}
+
+/** Its field of view, or what a panoramic lens is. */
+function lensMetadata(lens: Lens): Record<string, string> {
+  switch (lens.kind) {
+    case 'perspective':
+      return { fieldOfView: `${degrees(lens.fovY)} degrees` };
+    case 'equirectangular':
+      return { lens: lens.kind };
+    case 'fisheye':
+      return {
+        lens: `${lens.kind} of ${degrees(lens.aperture)} degrees, its axis ${degrees(lens.elevation)} degrees up`,
+      };
+    case 'cube':
+      return { lens: `${lens.kind} ${lens.layout}` };
+  }
 }
 
 /** The settings with a `header` entry, as far as its `when` applies. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../math/quat.ts';
 import { ZERO } from '../../math/vec3.ts';
-import { perspective } from './lens.ts';
+import { perspective } from './lenses/perspectiveLens.ts';
 import { METER_CELLS, mergeReadings } from './metering.ts';
 import {
   assertViewports,

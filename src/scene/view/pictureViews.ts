@@ -1,3 +1,4 @@
+import type { PictureSize } from './pictureSize.ts';
 import type { ViewPoint } from './view.ts';
 
 /** A rectangle of a picture [px]; x from the left, y from the top, integers. */
@@ -6,14 +7,6 @@ export interface PixelRect {
   readonly x: number;
   /** Top edge [px]. */
   readonly y: number;
-  /** [px] */
-  readonly width: number;
-  /** [px] */
-  readonly height: number;
-}
-
-/** Size of a picture [px]. */
-export interface PictureSize {
   /** [px] */
   readonly width: number;
   /** [px] */

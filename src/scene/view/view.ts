@@ -5,7 +5,7 @@ import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import type { FrameGraph, FrameGraphBuffer } from '../frameGraph/frameGraph.ts';
 import { RENDERER_SETTINGS, type RendererSettings, settingNamed } from '../settings/settings.ts';
 import type { View } from '../views/views.ts';
-import type { Lens } from './lens.ts';
+import type { Lens } from './lenses/lenses.ts';
 import type { OutsideCamera } from './outsideCamera.ts';
 
 /** Settings of a picture. Plain data, so that documents, flags and sockets can hold them. */

@@ -5,7 +5,7 @@ import type { SceneRenderer } from '../../../src/render/renderer.ts';
 import { makeMaterial, makeObject, makeScene } from '../../../src/scene/defaults.ts';
 import { withListedPoints } from '../../../src/scene/streaming/samplePoints.ts';
 import type { Scene } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS } from '../../../src/scene/view/view.ts';
 import { blendedArm } from '../../support/blendedArm.ts';
 

@@ -5,7 +5,7 @@ import { addScaled, cross, dot, length, normalize, scale, type Vec3, ZERO } from
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { unaberrate } from '../../../src/physics/optics/aberration.ts';
 import { apparentPosition } from '../../../src/physics/optics/apparentPosition.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { ViewPoint } from '../../../src/scene/view/view.ts';
 import { DATA_SETTINGS } from '../support/dataSettings.ts';
 import { type ModulePage, openModulePage } from '../support/modulePage.ts';

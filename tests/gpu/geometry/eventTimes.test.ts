@@ -7,7 +7,7 @@ import { DEFAULT_LIGHT } from '../../../src/reference/lights/lightOptions.ts';
 import { renderTile } from '../../../src/reference/tile.ts';
 import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { DATA_SETTINGS } from '../support/dataSettings.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';

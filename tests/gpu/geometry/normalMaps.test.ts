@@ -19,7 +19,7 @@ function angles({ scene, view, settings }: NormalScene, normals: ArrayLike<numbe
     for (let x = 3; x < SIZE; x += 5) {
       const at = 3 * (y * SIZE + x);
       const drawn: Vec3 = [normals[at], normals[at + 1], normals[at + 2]];
-      const hit = visibleHit(traced, cameraRay(view, settings, x + 0.5, y + 0.5, SIZE, SIZE));
+      const hit = visibleHit(traced, cameraRay(view, settings, x + 0.5, y + 0.5, SIZE, SIZE)!);
       if (!hit || length(drawn) === 0) continue;
       const { normal } = surfaceAt(traced, hit);
       found.push(Math.atan2(length(cross(drawn, normal)), dot(drawn, normal)));

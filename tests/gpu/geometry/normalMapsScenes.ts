@@ -5,7 +5,7 @@ import type { RasterRenderer } from '../../../src/render/api.ts';
 import { makeMaterial, makeObject, makeScene } from '../../../src/scene/defaults.ts';
 import { grid, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { DATA_SETTINGS } from '../support/dataSettings.ts';
 

@@ -1,3 +1,4 @@
+import { perspectiveOf } from '../../../src/scene/view/lenses/lenses.ts';
 import '../../../src/cli/gpu/nodeShim.ts';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
@@ -8,7 +9,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/sce
 import type { FrameGraph } from '../../../src/scene/frameGraph/frameGraph.ts';
 import { box, grid, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { BUFFER_SETTINGS, pickSettings } from '../../../src/scene/settings/settings.ts';
-import { frustumOf, perspective } from '../../../src/scene/view/lens.ts';
+import { frustumOf, perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { orbitCamera } from '../../../src/scene/view/outsideCamera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
@@ -86,7 +87,7 @@ describe('a picture from outside', () => {
       await renderer.readAov('position'),
       await renderer.readAov('emission_time'),
     ];
-    const { tanX, tanY } = frustumOf(there.lens, SIZE.width, SIZE.height);
+    const { tanX, tanY } = frustumOf(perspectiveOf(there.lens), SIZE.width, SIZE.height);
     const seen = new Set<number>();
     for (let i = 0; i < object.length; i++) {
       if (object[i]! < 0.5) continue;

@@ -6,7 +6,7 @@ import { makeObject, makeScene } from '../../../src/scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../../../src/scene/mesh/normals.ts';
 import { sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { SampledPointsMotion, Scene } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { leftInFile } from '../../support/streamed.ts';
 

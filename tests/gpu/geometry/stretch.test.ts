@@ -7,7 +7,7 @@ import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { withoutQuadric } from '../../../src/scene/mesh/quadric.ts';
 import { bakedObject } from '../../../src/scene/mesh/stretch.ts';
 import type { Light, Motion, Scene, SceneObject } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 

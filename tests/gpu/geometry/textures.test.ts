@@ -7,7 +7,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/sce
 import { sampleTexture } from '../../../src/scene/materials/sampleTexture.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Texture, TextureWrap } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { GREY } from '../../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 

@@ -1,3 +1,4 @@
+import { perspectiveOf } from '../../../src/scene/view/lenses/lenses.ts';
 import '../../../src/cli/gpu/nodeShim.ts';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
@@ -10,7 +11,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/sce
 import { box, grid, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { frustumOf, perspective } from '../../../src/scene/view/lens.ts';
+import { frustumOf, perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { ViewPoint } from '../../../src/scene/view/view.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../../src/scene/view/view.ts';
 import { EXTRA_SCENES } from '../../visual/extraScenes.ts';
@@ -180,7 +181,7 @@ describe('what is seen, looked at from elsewhere', () => {
 /** The greatest distance [px] of where events are shown from the pixels that show them, and of their distances, relative. */
 function worst({ object, position, depth }: Picture, view: ViewPoint, settings: RenderSettings) {
   const { width, height } = SIZE;
-  const { tanX, tanY } = frustumOf(view.lens, width, height);
+  const { tanX, tanY } = frustumOf(perspectiveOf(view.lens), width, height);
   const result = { displacement: 0, depth: 0 };
   object.forEach((id, i) => {
     if (id === 0) return;

@@ -11,7 +11,7 @@ import { makeMaterial } from '../../../src/scene/defaults.ts';
 import { DAY_SKY } from '../../../src/scene/lights/sceneLights.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight, Light, Material, Motion, SceneObject } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { colorOfSpectrum, observedColor } from '../../../src/spectrum/color/observerColor.ts';
 import { skyParts } from '../../../src/spectrum/color/scatteredLight.ts';
@@ -270,7 +270,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
           1,
         );
       const exact = scale(add(seen(light.color, cosine / Math.PI), seen(sky, 1)), D ** 4);
-      const ray = cameraRay({ ...VIEW, u }, settings, SIZE / 2 + 0.5, row + 0.5, SIZE, SIZE);
+      const ray = cameraRay({ ...VIEW, u }, settings, SIZE / 2 + 0.5, row + 0.5, SIZE, SIZE)!;
       const traced = radiance(scene, ray, { u }, settings, { ...DIRECT, bounces: 1 }, pixelSequence(1, 0, 0)(0));
       exact.forEach((value, k) => {
         expect(Math.abs(drawn[3 * at + k] - value)).toBeLessThan(0.005 * Math.max(...exact));

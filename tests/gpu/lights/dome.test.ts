@@ -12,7 +12,7 @@ import { directionFromLatLong, domeAxes, latLongFromDirection } from '../../../s
 import { sampleTexture } from '../../../src/scene/materials/sampleTexture.ts';
 import { sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DomeLight, Material, Motion } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { dome, GREY, lambert, lit, mirror } from '../../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
@@ -68,7 +68,7 @@ async function difference(material: Material, motion?: Motion, view = VIEW, sky 
   let brightest = 0;
   for (let y = 6; y < SIZE - 6; y += 3)
     for (let x = 6; x < SIZE - 6; x += 3) {
-      const ray = cameraRay(view, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE);
+      const ray = cameraRay(view, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE)!;
       const numbers = pixelSequence(1, x, y);
       const options = { bounces: 1, mirrors: true, glass: false };
       let sum = 0;
@@ -139,7 +139,7 @@ it('the sky shows the dome’s texture, rotated', async () => {
     [20, 20],
     [8, 33],
   ]) {
-    const n = normalize(cameraRay(wide, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE).dx);
+    const n = normalize(cameraRay(wide, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE)!.dx);
     const expected = dot(n, BRIGHT) > Math.cos(0.17) ? 40 : 0.6 + 0.4 * n[1];
     expect(Math.abs(drawn[3 * (y * SIZE + x) + 1] - expected)).toBeLessThan(0.01 * expected);
   }
@@ -161,7 +161,7 @@ it('at speed a pixel shows the mean of the dome over what it covers, where it is
   const drawn = await headless.renderer.readAov('beauty');
   const [right, up, front] = domeAxes(sky);
   const radianceAt = (x: number, y: number): number => {
-    const n = normalize(cameraRay(view, settings, x, y, SIZE, SIZE).dx);
+    const n = normalize(cameraRay(view, settings, x, y, SIZE, SIZE)!.dx);
     return sampleTexture(sky.texture, ...latLongFromDirection([dot(n, right), dot(n, up), dot(n, front)]))[0];
   };
   let [error, errorOfPoints] = [0, 0];

@@ -10,7 +10,7 @@ import { radiance } from '../../../src/reference/transport/path.ts';
 import { makeMaterial } from '../../../src/scene/defaults.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Light, Material, TextureChannel } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { blackbodyColor } from '../../../src/spectrum/color/blackbodyColor.ts';
 import { dopplerTint } from '../../../src/spectrum/doppler/dopplerTint.ts';
@@ -50,7 +50,7 @@ async function colors(
   headless.renderer.render([view], settings, 1);
   const drawn = await headless.renderer.readAov('beauty');
   const at = 3 * (4 * SIZE + 4);
-  const ray = cameraRay(view, settings, 4.5, 4.5, SIZE, SIZE);
+  const ray = cameraRay(view, settings, 4.5, 4.5, SIZE, SIZE)!;
   const numbers = pixelSequence(1, 4, 4);
   let expected = ZERO;
   for (let i = 0; i < SAMPLES; i++)

@@ -5,7 +5,7 @@ import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { makeMaterial } from '../../../src/scene/defaults.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight, Material, Motion } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { dome, lamp, lit } from '../../support/lightKit.ts';
 import { compareWithReference, type Difference } from '../support/agreement.ts';

@@ -8,7 +8,7 @@ import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import { EQUATORIAL } from '../../../src/scene/stars/equatorial.ts';
 import type { Scene } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 /** Odd, so that the middle pixel shows the direction straight ahead. */

@@ -7,7 +7,7 @@ import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { FOREVER, restingAt } from '../../../src/scene/defaults.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { AreaLight, LocalLight, Material, Motion, RigidMotion } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { area, GREY, lambert, lamp, lit } from '../../support/lightKit.ts';
 import { compareWithReference, type Difference } from '../support/agreement.ts';

@@ -10,7 +10,7 @@ import { observerDoppler } from '../../../src/physics/optics/doppler.ts';
 import { brdfOf, evaluateBrdf } from '../../../src/reference/materials/brdf.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import { blackbody } from '../../../src/scene/stars/blackbody.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { filterFromRgb } from '../../../src/spectrum/reflectance/spectralFilter.ts';
 import { DAYLIGHT } from '../../../src/spectrum/sources/lightSpectrum.ts';
 import { dome, GREY, lambert, lit } from '../../support/lightKit.ts';

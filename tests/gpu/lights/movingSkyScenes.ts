@@ -10,7 +10,7 @@ import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { brightStars } from '../../../src/scene/stars/brightStars.ts';
 import { EQUATORIAL } from '../../../src/scene/stars/equatorial.ts';
 import type { DomeLight, Material, NightSky } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { dome, GREY, lambert, lit, mirror } from '../../support/lightKit.ts';
 

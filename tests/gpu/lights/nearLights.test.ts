@@ -3,7 +3,7 @@ import { fromAxisAngle, IDENTITY } from '../../../src/math/quat.ts';
 import { ZERO } from '../../../src/math/vec3.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { LocalLight, Material, UniformMotion } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { area, GREY, lambert, lamp, lit, SPECTRAL } from '../../support/lightKit.ts';
 import { compareWithReference, type Difference } from '../support/agreement.ts';

@@ -12,7 +12,7 @@ import { sphere } from '../../../src/scene/mesh/primitives.ts';
 import { brightStars } from '../../../src/scene/stars/brightStars.ts';
 import { EQUATORIAL } from '../../../src/scene/stars/equatorial.ts';
 import type { Scene } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 

@@ -12,7 +12,7 @@ import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts
 import type { EffectId, FogColor, MixMode } from '../../../src/scene/frameGraph/effects.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 /** The input of both twins. */

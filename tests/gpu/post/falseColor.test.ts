@@ -14,7 +14,7 @@ import {
 import { renderTile } from '../../../src/reference/tile.ts';
 import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { METER_CELLS, meterPixel, relativeLuminance } from '../../../src/scene/view/metering.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import type { View } from '../../../src/scene/views/views.ts';

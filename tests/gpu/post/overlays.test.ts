@@ -8,7 +8,7 @@ import { inverseApparentPosition } from '../../../src/physics/optics/apparentPos
 import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Scene } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { OVERLAY_COLORS } from '../../../src/spectrum/display/overlayColors.ts';
 import { encodeSrgb } from '../../../src/spectrum/display/srgb.ts';

@@ -17,7 +17,8 @@ import type { GBufferTextures } from '../../../src/render/post/effectContext.ts'
 import { EffectPasses } from '../../../src/render/post/effectPasses.ts';
 import { EFFECTS } from '../../../src/scene/frameGraph/effects.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
-import { frustumOf } from '../../../src/scene/view/lens.ts';
+import { perspectiveOf } from '../../../src/scene/view/lenses/lenses.ts';
+import { frustumOf } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { AovName } from '../../../src/scene/view/view.ts';
 import { type EffectCase, maskOf, overOf, pictureOf } from './effectCases.ts';
 
@@ -59,7 +60,7 @@ function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
 /** The uniforms that the renderer sets per picture. */
 export function uniformsOf({ view, image, zenith, sky, settings, observer }: EffectInput) {
   const uniforms = makeFrameUniforms();
-  const { tanX, tanY, center } = frustumOf(view.lens, image.width, image.height);
+  const { tanX, tanY, center } = frustumOf(perspectiveOf(view.lens), image.width, image.height);
   uniforms.u.value.set(...view.u);
   uniforms.secondsPerMetre.value = 1 / settings.speedOfLight;
   uniforms.gamma.value = gamma(view.u);

@@ -7,8 +7,8 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/sce
 import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, grid, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { SampledPointsMotion, Scene, Texture } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
-import type { PictureSize } from '../../../src/scene/view/pictureViews.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
+import type { PictureSize } from '../../../src/scene/view/pictureSize.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 /** Of a size that nothing else has. */

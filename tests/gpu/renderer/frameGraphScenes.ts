@@ -8,7 +8,7 @@ import { makeStillPixels, type StillPixels } from '../../../src/scene/frameGraph
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
 import type { DistantLight } from '../../../src/scene/types.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import {
   type AovName,
   bufferSettings,

@@ -7,7 +7,7 @@ import type { Sampling } from '../../../src/render/settings.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { sphere } from '../../../src/scene/mesh/primitives.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 

@@ -10,7 +10,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/sce
 import { box, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 

@@ -5,7 +5,7 @@ import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Light, Material, Scene, Texture, TextureChannel } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 export const SIZE = 96;

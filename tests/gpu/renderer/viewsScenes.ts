@@ -9,7 +9,7 @@ import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { brightStars } from '../../../src/scene/stars/brightStars.ts';
 import { EQUATORIAL } from '../../../src/scene/stars/equatorial.ts';
 import type { Scene } from '../../../src/scene/types.ts';
-import { offAxisLens } from '../../../src/scene/view/lens.ts';
+import { offAxisLens } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { PictureView, PictureViews, PixelRect } from '../../../src/scene/view/pictureViews.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings } from '../../../src/scene/view/view.ts';
 

@@ -22,7 +22,7 @@ function truthOf({ scene, view, settings }: LocalLightScene): { readonly at: num
   const pixels: { at: number; light: number }[] = [];
   for (let y = 2; y < SIZE; y += STEP)
     for (let x = 2; x < SIZE; x += STEP) {
-      const ray = cameraRay(view, settings, x + 0.5, y + 0.5, SIZE, SIZE);
+      const ray = cameraRay(view, settings, x + 0.5, y + 0.5, SIZE, SIZE)!;
       const numbers = pixelSequence(1, x, y);
       let light = 0;
       for (let i = 0; i < samples; i++) light += radiance(scene, ray, view, settings, DIRECT, numbers(i))[1] / samples;

@@ -8,7 +8,7 @@ import { restingAt } from '../../../src/scene/defaults.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { LocalLight, Motion, RigidMotion, UniformMotion } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { area, GREY, lambert, lamp, lit } from '../../support/lightKit.ts';
 

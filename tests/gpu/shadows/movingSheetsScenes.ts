@@ -7,7 +7,7 @@ import { grid } from '../../../src/scene/mesh/primitives.ts';
 import { parabolaVelocities } from '../../../src/scene/motion/cubicPoints.ts';
 import type { Light, Mesh, Motion, SceneObject } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS } from '../../../src/scene/view/view.ts';
 
 const [WIDTH, HEIGHT] = [128, 96];

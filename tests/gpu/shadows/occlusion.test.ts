@@ -13,7 +13,7 @@ import { restingAt } from '../../../src/scene/defaults.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh } from '../../../src/scene/types.ts';
 import { lookAtOrientation, observerFromCamera } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { dome, GREY, lambert, lit } from '../../support/lightKit.ts';
 import { direction, uniform } from '../../support/physicsArbitraries.ts';
@@ -177,7 +177,7 @@ function* traced({ scene, view }: Lit, settings: RenderSettings): Generator<read
   const options = { bounces: 2, mirrors: true, glass: false };
   for (let y = STEP / 2; y < SMALL.height; y += STEP)
     for (let x = STEP / 2; x < SMALL.width; x += STEP) {
-      const ray = cameraRay(view, settings, x + 0.5, y + 0.5, SMALL.width, SMALL.height);
+      const ray = cameraRay(view, settings, x + 0.5, y + 0.5, SMALL.width, SMALL.height)!;
       const numbers = pixelSequence(1, x, y);
       let sum = ZERO;
       for (let i = 0; i < SAMPLES; i++) sum = add(sum, radiance(scene, ray, view, settings, options, numbers(i)));

@@ -7,7 +7,7 @@ import { IDENTITY_POSE } from '../../../src/scene/defaults.ts';
 import { box, plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene, SceneObject } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { GREY, lambert, lit } from '../../support/lightKit.ts';
 

@@ -37,7 +37,7 @@ afterAll(() => headless?.close());
 
 /** Whether the reference has the light of all suns at a point of the picture; undefined for the background. */
 function litAt(traced: TracedScene, { view, settings, scene }: ShadowScene, x: number, y: number): boolean | undefined {
-  const hit = visibleHit(traced, cameraRay(view, settings, x, y, SIZE, SIZE));
+  const hit = visibleHit(traced, cameraRay(view, settings, x, y, SIZE, SIZE)!);
   if (!hit) return undefined;
   const lighting = createLightingContext(traced, settings, DEFAULT_LIGHT, view.u, () => 0.5);
   const start = reflectionOrigin(traced, hit);

@@ -9,7 +9,7 @@ import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight, Motion, Scene, SceneObject, Texture } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 export const SIZE = 128;

@@ -35,7 +35,7 @@ export async function compareWithReference(
   let brightest = 0;
   for (let y = 2; y < height; y += STEP)
     for (let x = 2; x < width; x += STEP) {
-      const ray = cameraRay(view, settings, x + 0.5, y + 0.5, width, height);
+      const ray = cameraRay(view, settings, x + 0.5, y + 0.5, width, height)!;
       const numbers = pixelSequence(1, x, y);
       const sums = [0, 0, 0];
       for (let i = 0; i < samples; i++)

@@ -3,7 +3,7 @@ import { IDENTITY } from '../../../math/quat.ts';
 import { ZERO } from '../../../math/vec3.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import type { PickResult } from '../../../render/settings.ts';
-import { perspective } from '../../../scene/view/lens.ts';
+import { perspective } from '../../../scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS } from '../../../scene/view/view.ts';
 import type { FalseColorQuantity } from '../../../spectrum/falseColor/falseColor.ts';
 import { legendStore, setLegendColors, setPointer, toggleCrosshair } from './legendState.ts';

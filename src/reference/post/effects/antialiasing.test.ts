@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../../math/quat.ts';
-import { perspective } from '../../../scene/view/lens.ts';
+import { perspective } from '../../../scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../../scene/view/view.ts';
 import { applyEffect } from './applyEffect.ts';
 import { FloatImage } from './effectInput.ts';

@@ -4,9 +4,10 @@ import { velocity } from '../../../physics/lorentz/boost.ts';
 import type { FogColor } from '../../../scene/frameGraph/effects.ts';
 import { backdropColors } from '../../../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../../../scene/lights/skyGradient.ts';
-import { type Frustum, frustumOf } from '../../../scene/view/lens.ts';
+import { perspectiveOf } from '../../../scene/view/lenses/lenses.ts';
+import { type Frustum, frustumOf } from '../../../scene/view/lenses/perspectiveLens.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
-import { cameraRay } from '../../camera/cameraRay.ts';
+import { cameraRay, directionAt } from '../../camera/cameraRay.ts';
 
 /** An f64 image of any number of channels, by default three, rows from the top. */
 export class FloatImage {
@@ -73,7 +74,6 @@ export interface EffectInput {
 /** Reads a picture's G-buffer at pixels, mirrored beyond the borders. */
 export class GBufferReader {
   readonly image: FloatImage;
-  readonly frustum: Frustum;
   readonly zenith: Vec3;
   readonly sky: SkyColors;
   readonly fogColor: FogColor | undefined;
@@ -94,7 +94,11 @@ export class GBufferReader {
     this.beta = velocity(source.view.u);
     this.speedOfLight = source.settings.speedOfLight;
     this.sky = source.sky ?? backdropColors({ lights: [] });
-    this.frustum = frustumOf(source.view.lens, this.image.width, this.image.height);
+  }
+
+  /** Throws a RangeError unless the lens is a perspective one. */
+  get frustum(): Frustum {
+    return frustumOf(perspectiveOf(this.input.view.lens), this.image.width, this.image.height);
   }
 
   isCovered(x: number, y: number): boolean {
@@ -115,13 +119,14 @@ export class GBufferReader {
     return sub(this.read('position', x, y) as unknown as Vec3, this.input.view.position);
   }
 
-  /** Direction of the pixel's ray: unit, world frame. */
+  /** Direction of the pixel's ray: unit, world frame; zero where the lens shows nothing. */
   direction(x: number, y: number): Vec3 {
     const { view, settings } = this.input;
-    return normalize(cameraRay(view, settings, x + 0.5, y + 0.5, this.image.width, this.image.height).dx);
+    const ray = cameraRay(view, settings, x + 0.5, y + 0.5, this.image.width, this.image.height);
+    return ray ? normalize(ray.dx) : ZERO;
   }
 
-  /** tan of the angles from the axis, to the right and up. */
+  /** tan of the angles from the axis, to the right and up; of a perspective lens. */
   tangents(x: number, y: number): readonly [number, number] {
     const { image, frustum } = this;
     const { tanX, tanY, center } = frustum;
@@ -130,9 +135,9 @@ export class GBufferReader {
     return [right * tanX + center[0], up * tanY + center[1]];
   }
 
-  /** Direction of the pixel in the picture's space, the observer's frame on world axes carried by the boost: unit. */
+  /** Direction of the pixel in the picture's space, the observer's frame on world axes carried by the boost: unit; zero where the lens shows nothing. */
   apparentDirection(x: number, y: number): Vec3 {
-    return rotate(this.input.view.orientation, normalize([...this.tangents(x, y), -1]));
+    return directionAt(this.input.view, x + 0.5, y + 0.5, this.image.width, this.image.height) ?? ZERO;
   }
 
   /** Observer → apparent position, observer's frame on world axes carried by the boost [m]. */

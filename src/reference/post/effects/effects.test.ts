@@ -4,7 +4,7 @@ import { IDENTITY } from '../../../math/quat.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { EFFECT_IDS, EFFECTS, type EffectId, MIX_MODES, type MixMode } from '../../../scene/frameGraph/effects.ts';
 import { readShaderText } from '../../../scene/shaderText/shaderText.ts';
-import { perspective } from '../../../scene/view/lens.ts';
+import { perspective } from '../../../scene/view/lenses/perspectiveLens.ts';
 import { relativeLuminance } from '../../../scene/view/metering.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../../scene/view/view.ts';
 import { AOVS_OF_EFFECT_CHANNEL, AOVS_OF_SHADER_CHANNEL, applyEffect } from './applyEffect.ts';

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { scale } from '../../../math/vec3.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { OBSERVER_MARKS } from '../../../scene/frameGraph/effects.ts';
-import { perspective } from '../../../scene/view/lens.ts';
+import { perspective } from '../../../scene/view/lenses/perspectiveLens.ts';
 import { orbitCamera } from '../../../scene/view/outsideCamera.ts';
 import { type AovName, DEFAULT_SETTINGS } from '../../../scene/view/view.ts';
 import { applyEffect } from './applyEffect.ts';

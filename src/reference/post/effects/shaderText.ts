@@ -6,7 +6,7 @@ import {
   type ShaderProgram,
 } from '../../../scene/shaderText/program.ts';
 import { runShaderProgram } from '../../../scene/shaderText/run.ts';
-import type { Frustum } from '../../../scene/view/lens.ts';
+import type { Frustum } from '../../../scene/view/lenses/perspectiveLens.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
 
 /** Applies a user-written effect (scene/shaderText/). `time`: world time of the observer [s]. */

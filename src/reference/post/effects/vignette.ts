@@ -1,5 +1,5 @@
 import { radians } from '../../../math/angle.ts';
-import { farthestCorner } from '../../../scene/view/lens.ts';
+import { farthestCorner } from '../../../scene/view/lenses/perspectiveLens.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
 
 /**

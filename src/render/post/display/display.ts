@@ -7,8 +7,9 @@ import { UNLIT_RANGE } from '../../../spectrum/display/toneMap.ts';
 import type { GBuffer } from '../../gbuffer/gbuffer.ts';
 import { unpackSpecular } from '../../gbuffer/surfacePacking.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
-import { pixelDirection, texelHere } from '../../gpu/fullScreenPass.ts';
+import { texelHere } from '../../gpu/fullScreenPass.ts';
 import { interleavedGradientNoise } from '../../gpu/gradientNoise.ts';
+import { pixelDirection, shownHere } from '../../lenses/pixelDirection.ts';
 import { depthHere } from '../../shading/passes.ts';
 import { fxaa } from '../resolve/fxaa.ts';
 import { fromYCoCg, toYCoCg } from '../resolve/temporalAntialiasing.ts';
@@ -40,9 +41,12 @@ function toneMapped(
   if (hasUnlit && tone !== 'linear')
     picture.assign(mix(picture, toneMaps.linear(hdr, uniforms.exposure), unlitShareHere(buffer, uniforms)));
   for (const layer of overlay?.layers() ?? []) picture.assign(mix(picture, layer.xyz, layer.w));
-  if (!grid) return picture;
-  const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
-  return mix(picture, lines.xyz, lines.w).toVar();
+  if (grid) {
+    const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
+    picture.assign(mix(picture, lines.xyz, lines.w));
+  }
+  picture.mulAssign(shownHere(uniforms));
+  return picture;
 }
 
 /** `unlitShare` of what is seen here: 0 but on surfaces that reflect nothing and do not glow by their temperature. */

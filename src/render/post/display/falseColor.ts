@@ -18,7 +18,8 @@ import { relativeLuminance } from '../../color/luminance.ts';
 import type { GBuffer } from '../../gbuffer/gbuffer.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
-import { pixelDirection, texelHere } from '../../gpu/fullScreenPass.ts';
+import { texelHere } from '../../gpu/fullScreenPass.ts';
+import { pixelDirection, shownHere } from '../../lenses/pixelDirection.ts';
 import { depthHere } from '../../shading/passes.ts';
 import { type DisplaySettings, encodeSrgb } from './display.ts';
 import { gridOver } from './grid.ts';
@@ -76,9 +77,11 @@ export const falseColored = (
       color.mulAssign(mix(float(MIN_SHADE), float(1), gray));
     }
     for (const layer of overlay?.contours() ?? []) color.assign(mix(color, encodeSrgb(layer.xyz), layer.w));
-    if (!grid) return vec4(color, 1);
-    const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
-    return vec4(mix(color, encodeSrgb(lines.xyz), lines.w), 1);
+    if (grid) {
+      const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
+      color.assign(mix(color, encodeSrgb(lines.xyz), lines.w));
+    }
+    return vec4(color.mul(shownHere(uniforms)), 1);
   })();
 
 interface FalseColorInputs {

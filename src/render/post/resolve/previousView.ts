@@ -2,7 +2,7 @@ import { uniform } from 'three/tsl';
 import { Matrix3, Vector2, Vector4 } from 'three/webgpu';
 import { toMatrix } from '../../../math/quat.ts';
 import { sub } from '../../../math/vec3.ts';
-import type { Frustum } from '../../../scene/view/lens.ts';
+import type { Frustum } from '../../../scene/view/lenses/perspectiveLens.ts';
 import type { ViewPoint } from '../../../scene/view/view.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';

@@ -35,7 +35,7 @@ import type { Bool, Float, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { GBuffer } from '../../gbuffer/gbuffer.ts';
 import { observerPosition, type SpacetimeProjection } from '../../geometry/vertexStage.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
-import { pixelDirection } from '../../gpu/fullScreenPass.ts';
+import { frustumDirection } from '../../gpu/fullScreenPass.ts';
 import type { PreviousView } from './previousView.ts';
 
 /*
@@ -204,7 +204,7 @@ function reproject(
   const v = clampedTexel(buffer.texture('motion'), pixel).xyz.toVar();
   const velocity = select(hasSurface, fullVelocity(v), vec4(0, 0, 0, 1)).toVar();
   // The background is at rest, and so far away that the observer's displacement does not matter, nor the camera's.
-  const n = pixelDirection(uniforms).toVar();
+  const n = frustumDirection(uniforms).toVar();
   const sky = SKY_DIRECTION[projection.place](n, uniforms.u, uniforms.gamma);
   const now = select(hasSurface, clampedTexel(buffer.texture('event'), pixel), vec4(sky, -1)).toVar();
   const passed = now.add(select(hasSurface, previousView.displacement, vec4(0))).toVar();

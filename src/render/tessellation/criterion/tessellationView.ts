@@ -1,6 +1,6 @@
 import { type Quat, rotate } from '../../../math/quat.ts';
 import { type Vec3, ZERO } from '../../../math/vec3.ts';
-import { type Frustum, farthestCorner } from '../../../scene/view/lens.ts';
+import { type Frustum, farthestCorner } from '../../../scene/view/lenses/perspectiveLens.ts';
 import { frustumSides } from '../../geometry/culling.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';

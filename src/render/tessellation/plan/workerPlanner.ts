@@ -3,7 +3,7 @@ import { gamma } from '../../../physics/lorentz/boost.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import { isListed, isStreamed } from '../../../scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion } from '../../../scene/types.ts';
-import type { Frustum } from '../../../scene/view/lens.ts';
+import type { Frustum } from '../../../scene/view/lenses/perspectiveLens.ts';
 import type { MovingBody } from '../../geometry/bodies.ts';
 import { DRAWN } from '../criterion/projectedBody.ts';
 import type { TessellationView } from '../criterion/tessellationView.ts';

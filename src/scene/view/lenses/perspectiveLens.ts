@@ -12,9 +12,6 @@ export interface PerspectiveLens {
   readonly center?: readonly [number, number];
 }
 
-/** How the directions seen by a camera map to its picture, as plain data. */
-export type Lens = PerspectiveLens;
-
 /**
  * A lens without shift, with a vertical field of view in the observer's frame [rad].
  * @example
@@ -64,7 +61,7 @@ export interface Frustum {
 }
 
 /** The frustum of a picture of `width` × `height` pixels. */
-export function frustumOf({ fovY, aspect, center = [0, 0] }: Lens, width: number, height: number): Frustum {
+export function frustumOf({ fovY, aspect, center = [0, 0] }: PerspectiveLens, width: number, height: number): Frustum {
   const tanY = Math.tan(fovY / 2);
   const ratio = aspect ?? width / height;
   return { tanX: tanY * ratio, tanY, aspect: ratio, center };

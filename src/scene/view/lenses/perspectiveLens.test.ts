@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { farthestCorner, frustumOf, offAxisLens, perspective, pixelsPerTangent } from './lens.ts';
+import { farthestCorner, frustumOf, offAxisLens, perspective, pixelsPerTangent } from './perspectiveLens.ts';
 
 const tangent = fc.double({ min: -5, max: 5, noNaN: true });
 const extent = fc.double({ min: 1e-3, max: 5, noNaN: true });

@@ -1,0 +1,33 @@
+import type { PerspectiveCamera } from 'three/webgpu';
+import type { CubeFace } from '../scene/view/lenses/cubeFaces.ts';
+import type { GBufferView } from './deferredPass.ts';
+import type { SamplePosition } from './post/resolve/pixelSamples.ts';
+
+/** The view of a G-buffer, and how its uniforms are set. */
+export interface BoundRenderView {
+  readonly view: GBufferView;
+  /** Sets the uniforms and the camera; of a face, also prepares its scene. */
+  readonly bind: () => void;
+}
+
+/** A face of the cube around the camera of a panoramic picture. */
+export interface BoundFace {
+  readonly face: CubeFace;
+  /** Its side [px]. */
+  readonly texels: number;
+  /** Of the sample within its pixels. */
+  readonly position: SamplePosition;
+  /** By G-buffer; undefined for one whose own lens is a perspective one. */
+  readonly views: readonly (BoundRenderView | undefined)[];
+}
+
+/** What one sample of a picture is drawn with. */
+export interface PictureSample {
+  /** By G-buffer. */
+  readonly views: readonly [BoundRenderView, ...BoundRenderView[]];
+  /** The faces that G-buffers with a panoramic lens are gathered from; empty if there is none. */
+  readonly faces: readonly BoundFace[];
+  readonly camera: PerspectiveCamera;
+  /** World time of the observer [s]. */
+  readonly time: number;
+}
