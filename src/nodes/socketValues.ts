@@ -1,6 +1,7 @@
 import type { FrameGraph, FrameGraphPassOf } from '../scene/frameGraph/frameGraph.ts';
 import type { SettingOfNode, ValuesOf } from '../scene/settings/settings.ts';
 import type { CameraCourse, Scene } from '../scene/types.ts';
+import type { PanoramicLens } from '../scene/view/lenses/lenses.ts';
 import type { OutsideCamera } from '../scene/view/outsideCamera.ts';
 import type { FalseColorQuantity } from '../spectrum/falseColor/falseColor.ts';
 import type { LoadedScene } from './services.ts';
@@ -25,6 +26,8 @@ export interface CameraView extends RelativisticScene {
   readonly course?: CameraCourse;
   /** Vertical field of view [rad]; undefined: the camera's. */
   readonly fovY: number | undefined;
+  /** Replaces the camera's lens; absent: a perspective one. */
+  readonly panorama?: PanoramicLens;
   /** Looks at the camera's picture from outside; absent: it is seen through the camera. */
   readonly outside?: OutsideCamera;
 }

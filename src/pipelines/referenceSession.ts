@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import { type Vec3, ZERO } from '../math/vec3.ts';
 import { msg } from '../messages/message.ts';
 import { prepareScene } from '../reference/intersection/tracedScene.ts';
 import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
@@ -9,6 +9,7 @@ import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
 import type { Scene } from '../scene/types.ts';
 import { drawnFrom } from '../scene/view/drawnFrom.ts';
+import { lensDirection } from '../scene/view/lenses/lenses.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import { type AovName, bufferSettings, type RenderSettings, type ViewPoint } from '../scene/view/view.ts';
 import { toneMap } from '../spectrum/display/toneMap.ts';
@@ -167,7 +168,13 @@ async function renderFrameGraph(
   const beauty = Float32Array.from(light.values);
   const requested = new Map(aovs.map((name) => [name, name === 'beauty' ? beauty : captured[0]!.aovs.get(name)!]));
   if (!pixels) return { pixels: new Uint8Array(), aovs: requested };
-  const display = light.map((x, y) => toneMap(light.at(x, y) as unknown as Vec3, settings.exposure, settings.tone));
+  const { lens } = drawnFrom(view, settings);
+  // Blurs reach beyond what a lens shows.
+  const display = light.map((x, y) =>
+    lensDirection(lens, x + 0.5, y + 0.5, { width, height })
+      ? toneMap(light.at(x, y) as unknown as Vec3, settings.exposure, settings.tone)
+      : ZERO,
+  );
   return { pixels: encodeDisplay(Float32Array.from(display.values), width, height), aovs: requested };
 }
 

@@ -4,6 +4,9 @@ import { listed, msg } from '../../messages/message.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
 import { withCourse } from '../../scene/view/cameraCourse.ts';
+import { panoramicLens, USUAL_LENS } from '../../scene/view/lenses/lensChoice.ts';
+import type { Lens } from '../../scene/view/lenses/lenses.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import { type ObserverPath, type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
@@ -22,7 +25,8 @@ export function observerSetup(
   start: number,
 ): ObserverSetup {
   const chosen = chooseCamera(scene, flags.camera);
-  const { position, lookAt, fov, stayInPlace, vantage } = flags;
+  const { position, lookAt, stayInPlace, vantage } = flags;
+  const lens = lensOf(flags);
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const rides = ridesCamera({ camera: chosen, ...(position && { position }) });
   const beta = flags.beta ?? (rides ? undefined : scene.hints.beta);
@@ -37,8 +41,30 @@ export function observerSetup(
       orientation: lookOrientation(lookAt, position ?? observerFromCamera(camera, start, c).position, vantage, up),
     }),
     ...(vantage && { vantage }),
-    ...(fov !== undefined && { fovY: radians(fov) }),
+    ...(lens && { lens }),
   };
+}
+
+/** The lens that flags replace the camera's by; undefined if they do not. */
+function lensOf({ fov, lens, aperture, domeTilt }: ObserverFlags): Lens | undefined {
+  const choice = lens ?? 'perspective';
+  const isRound = choice === 'fisheye' || choice === 'dome';
+  if (aperture !== undefined && !isRound)
+    throw usageError(
+      msg`--aperture is the angle across a fisheye's circle: add --lens fisheye or dome, or leave it out`,
+    );
+  if (domeTilt !== undefined && choice !== 'dome')
+    throw usageError(msg`--dome-tilt is for domes: add --lens dome, or leave it out`);
+  if (fov !== undefined && choice !== 'perspective')
+    throw usageError(
+      msg`--fov is of a perspective lens; --lens ${choice} sees ${isRound ? msg`its --aperture` : msg`all around`}: leave it out`,
+    );
+  const panoramic = panoramicLens({
+    lens: choice,
+    aperture: aperture ?? USUAL_LENS.aperture,
+    domeTilt: domeTilt ?? USUAL_LENS.domeTilt,
+  });
+  return panoramic ?? (fov === undefined ? undefined : perspective(radians(fov)));
 }
 
 function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {

@@ -44,6 +44,8 @@ export const parsePositive = parseWithin({ above: 0 });
 export const parseNotNegative = parseWithin({ min: 0 });
 export const parseFraction = parseWithin({ min: 0, max: 1 });
 export const parseFov = numberWhere((x) => x > 0 && x < 180, msg`degrees between 0 and 180`);
+export const parseAperture = numberWhere((x) => x > 0 && x <= 360, msg`degrees above 0 and at most 360`);
+export const parseDomeTilt = numberWhere((x) => x >= -90 && x <= 90, msg`degrees from -90 to 90`);
 export const parseSamples = parseWithin({ min: 1, max: MAX_SAMPLES, integer: true });
 export const parseLevels = parseWithin({ min: 0, max: 8, integer: true });
 export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, msg`a port, 0 to 65535`);

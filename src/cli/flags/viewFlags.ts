@@ -13,9 +13,19 @@ import {
   type ValuesOf,
 } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
+import { LENS_CHOICES, type LensChoice, USUAL_LENS } from '../../scene/view/lenses/lensChoice.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import { localized } from '../terminal/language.ts';
-import { parseBeta, parseFov, parseNumber, parsePositive, parseVec3, parseWithin } from './parse.ts';
+import {
+  parseAperture,
+  parseBeta,
+  parseDomeTilt,
+  parseFov,
+  parseNumber,
+  parsePositive,
+  parseVec3,
+  parseWithin,
+} from './parse.ts';
 
 /** How one who rides on a moving camera goes from sample to sample. */
 const CAMERA_PATHS = ['smooth', 'straight'] as const;
@@ -33,6 +43,11 @@ export interface StandpointFlags {
 export interface ObserverFlags extends StandpointFlags {
   readonly lookAt?: Vec3;
   readonly fov?: number;
+  readonly lens?: LensChoice;
+  /** [°] */
+  readonly aperture?: number;
+  /** [°] */
+  readonly domeTilt?: number;
 }
 
 export const addStandpointFlags = (command: Command): Command =>
@@ -66,6 +81,24 @@ export const addObserverFlags = (command: Command): Command =>
       parseVec3,
     )
     .option('--fov <degrees>', localized(msg`vertical field of view in the observer's frame`), parseFov)
+    .addOption(
+      new Option(
+        '--lens <name>',
+        localized(
+          msg`how directions are shown: perspective; equirectangular, 360° around; fisheye, ahead in the middle; dome, a dome master: the zenith in the middle, ahead at the bottom; cube, 3 × 2 faces; cube-strip, six in a row (default: perspective)`,
+        ),
+      ).choices(Object.keys(LENS_CHOICES)),
+    )
+    .option(
+      '--aperture <degrees>',
+      localized(msg`of fisheye and dome: the angle across the circle (default: ${USUAL_LENS.aperture})`),
+      parseAperture,
+    )
+    .option(
+      '--dome-tilt <degrees>',
+      localized(msg`of dome: by how much the dome is tilted towards the front (default: ${USUAL_LENS.domeTilt})`),
+      parseDomeTilt,
+    )
     .addOption(speedOfLightOption());
 
 export const observerTimeOption = (): Option =>

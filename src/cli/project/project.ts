@@ -21,6 +21,8 @@ import type { FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import { pickSettings, SETTING_NAMES } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import { renderableScene } from '../../scene/validation/renderableScene.ts';
+import { choiceOf } from '../../scene/view/lenses/lensChoice.ts';
+import type { PanoramicLens } from '../../scene/view/lenses/lenses.ts';
 import { readFont } from '../files/fonts.ts';
 import { locateScene, openSceneFile } from '../files/sceneFiles.ts';
 import { flagName } from '../flags/viewFlags.ts';
@@ -210,6 +212,9 @@ export async function openProjectPicture(
   return evaluateProject(path, withParams(await readProject(path), sets), progress);
 }
 
+/** A lens is given as a whole. */
+const LENS_FLAGS = ['aperture', 'domeTilt', 'fov'];
+
 /** A picture as a render job; explicitly given flags take precedence. As in the page, an observer who does not ride the scene's moving camera is at rest in it; in a film the camera is followed. */
 export function renderJobOf<Flags extends RenderFlags>(
   picture: PictureSpec,
@@ -217,7 +222,8 @@ export function renderJobOf<Flags extends RenderFlags>(
   given: ReadonlySet<string>,
   film: boolean,
 ): RenderJob<Flags> {
-  const implied = Object.fromEntries(Object.entries(flagsOf(picture, film)).filter(([name]) => !given.has(name)));
+  const isOpen = (name: string): boolean => !given.has(name) && !(given.has('lens') && LENS_FLAGS.includes(name));
+  const implied = Object.fromEntries(Object.entries(flagsOf(picture, film)).filter(([name]) => isOpen(name)));
   const { scenes, frameGraph } = picture;
   return {
     scene: picture.scene,
@@ -255,8 +261,18 @@ export function refuseSceneFlags(given: ReadonlySet<string>): void {
   throw usageError(msg`${flag} is for scene files; a project says so in its nodes: use --set node.param=value`);
 }
 
+/** The flags of a lens, without those that it does not have. */
+function lensFlags(panorama: PanoramicLens): Partial<RenderFlags> {
+  const { lens, aperture, domeTilt } = choiceOf(panorama);
+  return {
+    lens,
+    ...(panorama.kind === 'fisheye' && { aperture }),
+    ...(lens === 'dome' && { domeTilt }),
+  };
+}
+
 function flagsOf(picture: PictureSpec, film: boolean): Partial<RenderFlags> {
-  const { speedOfLight, camera, smooth, fovY, falseColor, occlusion } = picture;
+  const { speedOfLight, camera, smooth, fovY, panorama, falseColor, occlusion } = picture;
   const beta = initialBeta(picture, film);
   return {
     ...pickSettings(SETTING_NAMES, picture),
@@ -265,7 +281,7 @@ function flagsOf(picture: PictureSpec, film: boolean): Partial<RenderFlags> {
     c: speedOfLight,
     ...(camera && { camera }),
     ...(beta && { beta }),
-    ...(fovY !== undefined && { fov: degrees(fovY) }),
+    ...(panorama ? lensFlags(panorama) : fovY !== undefined && { fov: degrees(fovY) }),
     ...(falseColor !== 'none' && { falseColour: falseColor }),
   };
 }

@@ -3,6 +3,8 @@ import { msg } from '../../messages/message.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import type { Scene } from '../../scene/types.ts';
+import type { LensChoice } from '../../scene/view/lenses/lensChoice.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { openSceneWithFlags } from '../flags/openScene.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
 import { isProject, openProjectJob, type RenderJob, refuseSets } from '../project/project.ts';
@@ -23,7 +25,7 @@ export async function render(path: string, flags: RenderFlags, given: ReadonlySe
   const progress = new Progress();
   progress.show(msg`reading …`);
   const flight = flags.flight === undefined ? undefined : filmedFlight(flags.flight, flags, given);
-  const job = await openJob(path, flags, given, progress);
+  const job = sized(await openJob(path, flags, given, progress), given);
   progress.clear();
   const frames = flight
     ? flightFrames(flight, job.flags, job.flags.fps ?? job.scene.timeCodesPerSecond)
@@ -42,6 +44,20 @@ async function openJob(
   refuseSets(flags.set);
   return { scene: await openSceneWithFlags(path, flags), others: [], flags };
 }
+
+/** Pictures of panoramic lenses have shapes of their own, which the usual size is not. */
+function sized(job: RenderJob<RenderFlags>, given: ReadonlySet<string>): RenderJob<RenderFlags> {
+  const size = given.has('size') ? undefined : PANORAMIC_SIZES[job.flags.lens ?? 'perspective'];
+  return size ? { ...job, flags: { ...job.flags, size } } : job;
+}
+
+const PANORAMIC_SIZES: Partial<Record<LensChoice, PictureSize>> = {
+  equirectangular: { width: 2048, height: 1024 },
+  fisheye: { width: 1024, height: 1024 },
+  dome: { width: 1024, height: 1024 },
+  cube: { width: 1536, height: 1024 },
+  'cube-strip': { width: 3072, height: 512 },
+};
 
 function checkSamples({ samples, antialiasing }: RenderFlags): void {
   if (samples !== undefined && !antialiasing)

@@ -39,6 +39,8 @@ const EXAMPLES = [
   'slowlight render street.usdc -o street.gif --frames 1:96 --fps 25 --size 480x270',
   "slowlight render street.usdc -o 'street.####.png' --frames 1:96",
   'slowlight render street.usdc -o flown.mp4 --flight street.flight.json --fps 24',
+  'slowlight render street.usdc -o around.png --lens equirectangular --beta 0,0,-0.9',
+  'slowlight render street.usdc -o dome.png --lens dome --dome-tilt 20 --size 4096x4096',
   'slowlight render street.usdc -o truth.png --pipeline reference --samples 8',
   'slowlight render street.usdc -o shift.png --false-colour doppler --legend --beta 0,0,-0.5',
   'slowlight render workshop.slowlight.json -o workshop.png --set console.speedOfLight=10',
@@ -60,7 +62,11 @@ export function renderCommand(): Command {
       '--folder <folder>',
       localized(msg`for a project, without -o: folder that its files are written to (default: the current one)`),
     )
-    .addOption(sizeOption(msg`picture size in pixels`))
+    .addOption(
+      sizeOption(
+        msg`picture size in pixels; of --lens equirectangular by default 2048x1024, of fisheye and dome 1024x1024, of cube 1536x1024, of cube-strip 3072x512`,
+      ),
+    )
     .addOption(observerTimeOption())
     .option('--frames <A:B>', localized(msg`first and last frame; frame n is at world time n/fps`), parseFrames)
     .option(

@@ -8,8 +8,10 @@ import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import type { PipelineSession } from '../../pipelines/pipeline.ts';
 import { pipelineNamed } from '../../pipelines/registry.ts';
+import { assertLensEffects } from '../../scene/frameGraph/lensEffects.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
 import { validate } from '../../scene/validation/validate.ts';
+import { assertLensShape } from '../../scene/view/lenses/lensChoice.ts';
 import { type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, ViewPoint } from '../../scene/view/view.ts';
@@ -62,6 +64,9 @@ export async function renderFrames(
   else if (frames.some(({ t }) => isFasterThanPictures(flight.playback.stateAt(t))))
     progress.note(FASTER_THAN_PICTURES);
   const standing = observerPathFrom(setup, c, frames[0]!.t);
+  const { lens } = standing(frames[0]!.t);
+  orRefuse(() => assertLensShape(lens, size), usageError);
+  if (frameGraph) orRefuse(() => assertLensEffects(lens, frameGraph), usageError);
   const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
   const views = (t: number): PictureViews => [observer(t)];

@@ -28,7 +28,7 @@ type FramesAndViews = Pick<PictureSequence, 'frames' | 'views'>;
 
 function observed(file: ImageOutput | VideoOutput): FramesAndViews {
   const { picture } = file;
-  const { fovY, speedOfLight } = picture;
+  const { speedOfLight } = picture;
   const isFilm = file.kind === 'video';
   const beta = initialBeta(picture, isFilm);
   const camera = pictureCamera(picture);
@@ -37,7 +37,7 @@ function observed(file: ImageOutput | VideoOutput): FramesAndViews {
     camera: picture.smooth && !beta ? withCourse(camera, speedOfLight) : camera,
     stayInPlace: isFilm && file.stayInPlace,
     ...(beta && { beta }),
-    ...(fovY !== undefined && { fovY }),
+    lens: pictureLens(picture),
   };
   const frames = spacedFrames(frameTimes(file), isFilm ? file.spacing : 'world', standpoint, speedOfLight);
   const observer = observerPathFrom(standpoint, speedOfLight, frames[0]!.t);

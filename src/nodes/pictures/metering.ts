@@ -1,8 +1,9 @@
 import { skyDoppler } from '../../reference/post/falseColor.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
-import { type LightMeterReadings, METER_CELLS, relativeLuminance } from '../../scene/view/metering.ts';
+import { isPanoramic, pixelSolidAngle } from '../../scene/view/lenses/lenses.ts';
+import { type LightMeterReadings, METER_CELLS, meterPixel, relativeLuminance } from '../../scene/view/metering.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
-import { type PictureViews, scaleViewports } from '../../scene/view/pictureViews.ts';
+import { type PictureViews, scaleViewports, viewPixelAt } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import { isLuminous } from '../../scene/views/views.ts';
 import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
@@ -23,23 +24,49 @@ const HIGHLIGHT_LUMINANCE = 1.25;
 const ADAPTATION_TIME = 0.3;
 
 /**
- * Exposure that brings the midtones to their target, or less if the highlights require it [EV]; from means over
+ * `weights`: of the readings; absent: all count alike. Exposure that brings the midtones to their target, or less if the highlights require it [EV]; from means over
  * percentile ranges of log₂ luminance. It varies continuously with the light and is insensitive to lamps and glints; 0
  * if nothing is lit.
  */
-export function meteredExposure(luminance: ArrayLike<number>): number {
-  const stops = Float64Array.from(luminance, Math.log2).filter(Number.isFinite).sort();
-  if (stops.length === 0) return 0;
+export function meteredExposure(luminance: ArrayLike<number>, weights?: ArrayLike<number>): number {
+  const readings = Array.from(luminance, (value, i) => ({ stops: Math.log2(value), weight: weights?.[i] ?? 1 }))
+    .filter(({ stops, weight }) => Number.isFinite(stops) && weight > 0)
+    .sort((a, b) => a.stops - b.stops);
+  if (readings.length === 0) return 0;
   return Math.min(
-    Math.log2(MIDTONE_LUMINANCE) - trimmedMean(stops, MIDTONE_RANGE),
-    Math.log2(HIGHLIGHT_LUMINANCE) - trimmedMean(stops, HIGHLIGHT_RANGE),
+    Math.log2(MIDTONE_LUMINANCE) - trimmedMean(readings, MIDTONE_RANGE),
+    Math.log2(HIGHLIGHT_LUMINANCE) - trimmedMean(readings, HIGHLIGHT_RANGE),
   );
 }
 
-function trimmedMean(sorted: Float64Array, [from, to]: readonly [number, number]): number {
-  const last = sorted.length - 1;
-  const part = sorted.subarray(Math.round(from * last), Math.round(to * last) + 1);
-  return part.reduce((sum, value) => sum + value, 0) / part.length;
+interface WeightedReading {
+  readonly stops: number;
+  readonly weight: number;
+}
+
+/** Weighted mean of the readings whose middles are between two shares of the whole weight; at least of the one nearest to the first. */
+function trimmedMean(sorted: readonly WeightedReading[], [from, to]: readonly [number, number]): number {
+  const total = sorted.reduce((sum, { weight }) => sum + weight, 0);
+  let [before, sum, counted, nearest] = [0, 0, 0, sorted[0]!];
+  for (const reading of sorted) {
+    const middle = (before + reading.weight / 2) / total;
+    before += reading.weight;
+    if (middle < from) nearest = reading;
+    if (middle < from || middle > to) continue;
+    sum += reading.weight * reading.stops;
+    counted += reading.weight;
+  }
+  return counted > 0 ? sum / counted : nearest.stops;
+}
+
+/** The solid angles of the meter's cells where a lens is panoramic, since its pixels have very different ones; undefined otherwise: all count alike. */
+function cellWeights(views: PictureViews, size: PictureSize): Float64Array | undefined {
+  if (views.every(({ lens }) => !isPanoramic(lens))) return undefined;
+  return Float64Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
+    const [x, y] = [meterPixel(i % METER_CELLS, size.width), meterPixel(Math.floor(i / METER_CELLS), size.height)];
+    const found = viewPixelAt(views, size, x + 0.5, y + 0.5);
+    return found ? pixelSolidAngle(found.view.lens, found.x, found.y, found) : 0;
+  });
 }
 
 /**
@@ -54,7 +81,8 @@ export function exposureForMetering(
   size: PictureSize,
 ): number {
   if (metering === 'manual') return 0;
-  return meteredExposure(metering === 'automatic' ? luminance : restFrameLuminance(luminance, views, settings, size));
+  const metered = metering === 'automatic' ? luminance : restFrameLuminance(luminance, views, settings, size);
+  return meteredExposure(metered, settings.outside ? undefined : cellWeights(views, size));
 }
 
 /**

@@ -27,8 +27,9 @@ export const pictureCamera = ({ scene, camera, course }: CameraView): SceneCamer
   ...(course && { course }),
 });
 
-/** The lens of a picture: its own field of view, or its camera's. */
-export const pictureLens = (picture: PictureSpec): Lens => perspective(picture.fovY ?? pictureCamera(picture).fovY);
+/** The lens of a picture: a panoramic one, or a perspective one with its own field of view or its camera's. */
+export const pictureLens = (picture: CameraView): Lens =>
+  picture.panorama ?? perspective(picture.fovY ?? pictureCamera(picture).fovY);
 
 /**
  * The observer's initial velocity [c] where the camera does not determine it: as in the page, an observer who does not

@@ -30,7 +30,7 @@ export const saveImageNode = defineNode({
   evaluate({ image }, { name, width, height, time, samples }, { node }) {
     const called = checkedFileName(name, ['png', 'exr'], node);
     assertNoFrameNumber(called, node);
-    const picture = pictureToSave(image, called, node);
+    const picture = pictureToSave(image, called, { width, height }, node);
     const { hints, startTime } = picture.scene;
     const at = time ?? hints.openAt ?? startTime;
     return { image, file: { kind: 'image', name: called, picture, width, height, samples, time: at } };

@@ -77,7 +77,7 @@ export const saveVideoNode = defineNode({
     { node, services },
   ) {
     const called = checkedFileName(name, ['mp4', 'gif', 'png', 'exr'], node);
-    const picture = pictureToSave(image, called, node);
+    const picture = pictureToSave(image, called, { width, height }, node);
     const { startTime, endTime, timeCodesPerSecond } = picture.scene;
     const flown = flight === '' ? undefined : await flownSpan(flight, spacing, picture.speedOfLight, node, services);
     const { from, to } = flown ?? { from: range.from ?? startTime, to: range.to ?? endTime };

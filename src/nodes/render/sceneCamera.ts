@@ -2,6 +2,7 @@ import { NodeRefusal } from '../../graph/nodeType.ts';
 import { radians } from '../../math/angle.ts';
 import { listed, msg } from '../../messages/message.ts';
 import { validate } from '../../scene/validation/validate.ts';
+import { LENS_CHOICES, type LensChoice, panoramicLens, USUAL_LENS } from '../../scene/view/lenses/lensChoice.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { pictureCamera } from '../pictures/renderSettings.ts';
@@ -27,6 +28,35 @@ export const sceneCameraNode = defineNode({
       help: msg`The ride goes through the camera’s keyframes on a curve, so that your velocity does not jump there, and with it all that you see. Off: along straight lines.`,
       default: true,
     },
+    lens: {
+      kind: 'choice',
+      title: msg`Lens`,
+      help: msg`How directions are shown. Equirectangular and cube pictures show all around; a dome master has the zenith in the middle and what is ahead at the bottom.`,
+      default: USUAL_LENS.lens,
+      options: Object.entries(LENS_CHOICES).map(([value, title]) => ({ value: value as LensChoice, title })),
+    },
+    aperture: {
+      kind: 'number',
+      title: msg`Aperture`,
+      help: msg`The angle across the circle.`,
+      unit: '°',
+      default: USUAL_LENS.aperture,
+      min: 10,
+      max: 360,
+      step: 1,
+      onlyWhen: { param: 'lens', is: ['fisheye', 'dome'] },
+    },
+    domeTilt: {
+      kind: 'number',
+      title: msg`Dome tilt`,
+      help: msg`By how much the dome is tilted towards the front.`,
+      unit: '°',
+      default: USUAL_LENS.domeTilt,
+      min: -90,
+      max: 90,
+      step: 1,
+      onlyWhen: { param: 'lens', is: 'dome' },
+    },
     fieldOfView: {
       kind: 'number',
       title: msg`Field of view`,
@@ -37,11 +67,12 @@ export const sceneCameraNode = defineNode({
       max: 150,
       step: 1,
       suggestion: 'fieldOfView',
+      onlyWhen: { param: 'lens', is: 'perspective' },
     },
   },
   inputs: { relativity: { type: 'relativity' } },
   outputs: { view: { type: 'view' } },
-  async evaluate({ relativity }, { camera, ride, smooth, fieldOfView }, { node }) {
+  async evaluate({ relativity }, { camera, ride, smooth, fieldOfView, lens, aperture, domeTilt }, { node }) {
     const { cameras } = relativity.scene;
     if (camera && !cameras.some(({ path }) => path === camera)) {
       const message = msg`there is no camera ${camera}; the scene has ${listed(cameras.map(({ path }) => path)) || msg`none`}`;
@@ -50,7 +81,8 @@ export const sceneCameraNode = defineNode({
     }
     if (ride) assertRideable(relativity, camera);
     const fovY = fieldOfView === undefined ? undefined : radians(fieldOfView);
-    const view = { ...relativity, camera, ride, smooth, fovY };
+    const panorama = panoramicLens({ lens, aperture, domeTilt });
+    const view = { ...relativity, camera, ride, smooth, fovY, ...(panorama && { panorama }) };
     if (!smooth || !ride) return { view };
     const { smoothCourse } = await import('../../scene/view/cameraCourse.ts');
     const course = smoothCourse(pictureCamera(view).motion, relativity.speedOfLight);

@@ -7,13 +7,13 @@ import { PIPELINES } from '../../pipelines/registry.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
 import { BUFFER_SETTINGS } from '../../scene/settings/settings.ts';
 import { observerFromCamera } from '../../scene/view/camera.ts';
-import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 import { defineNode } from '../defineNode.ts';
-import { pictureCamera } from '../pictures/renderSettings.ts';
+import { pictureCamera, pictureLens } from '../pictures/renderSettings.ts';
 import type { GBufferSpec } from '../socketValues.ts';
+import { assertShape } from './saveParams.ts';
 
 const integerParam = (title: LocalizedText, preset: number, min: number, max: number) =>
   ({ kind: 'number', title, default: preset, min, max, step: 1, integer: true }) as const;
@@ -71,6 +71,7 @@ const stillNode = (pipeline: Pipeline, still: StillLimits) =>
     async evaluate({ gbuffer }, { width, height, samples, time, ...options }, { services, node, ...work }) {
       const size = { width, height };
       assertSize(pipeline.id, still, size, samples, node);
+      assertShape(pictureLens(gbuffer), size, node);
       const { scene } = gbuffer;
       const views: PictureViews = [initialViewPoint(gbuffer, time ?? scene.hints.openAt ?? scene.startTime)];
       const request = {
@@ -122,13 +123,13 @@ function assertSize(
 
 /** View point at time t [s] of the initial observer: at the camera, with its velocity or that of the scene's hint. */
 function initialViewPoint(gbuffer: GBufferSpec, t: number): ViewPoint {
-  const { scene, fovY, speedOfLight } = gbuffer;
+  const { scene, speedOfLight } = gbuffer;
   const { beta } = scene.hints;
   return {
     t,
     ...observerFromCamera(pictureCamera(gbuffer), t, speedOfLight),
     ...(beta && { u: properVelocity(beta) }),
-    ...(fovY !== undefined && { lens: perspective(fovY) }),
+    lens: pictureLens(gbuffer),
   };
 }
 

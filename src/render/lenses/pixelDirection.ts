@@ -39,23 +39,24 @@ export function cameraDirection(place: Vec2, uniforms: FrameUniforms): Vec3 {
 }
 
 /** Whether a picture shows something at a place. */
-export const isInPicture = (place: Vec2, { kind, scale }: LensUniforms): Bool =>
-  kind
-    .equal(LENS_NUMBERS.fisheye)
-    .not()
-    .or(length(place.mul(scale)).lessThanEqual(1));
+export function isInPicture(place: Vec2, { kind, scale }: LensUniforms): Bool {
+  const [x, y] = [abs(place.x.mul(scale.x)), abs(place.y.mul(scale.y))];
+  const reach = select(kind.equal(LENS_NUMBERS.fisheye), length(place.mul(scale)), max(x, y));
+  return kind.equal(LENS_NUMBERS.perspective).or(reach.lessThanEqual(1));
+}
 
-/** 1 where the picture shows something, 0 outside the circle of a fisheye. */
+/** 1 where the picture shows something, 0 beside the part that the lens fills. */
 export const shownHere = ({ jitter, lens }: FrameUniforms): Float =>
   select(isInPicture(attribute<'vec3'>('position', 'vec3').xy.add(jitter), lens), float(1), 0);
 
-/** `lensDirection` of scene/view/lenses/lenses.ts for the panoramic kinds. */
+/** `lensDirection` of scene/view/lenses/lenses.ts for the panoramic kinds; beside the part that they fill, formulas simply go on. */
 export function panoramicDirection(place: Vec2, { kind, scale, aperture, elevation, grid }: LensUniforms): Vec3 {
-  const direction = equirectangularDirection(place).toVar();
+  const filled = place.mul(scale).toVar();
+  const direction = equirectangularDirection(filled).toVar();
   If(kind.equal(LENS_NUMBERS.fisheye), () => {
-    direction.assign(fisheyeDirection(place.mul(scale), aperture, elevation));
+    direction.assign(fisheyeDirection(filled, aperture, elevation));
   }).ElseIf(kind.equal(LENS_NUMBERS.cube), () => {
-    direction.assign(cubeDirection(place, grid));
+    direction.assign(cubeDirection(filled, grid));
   });
   return direction;
 }

@@ -1,4 +1,4 @@
-import { type Lens, pixelSolidAngle } from './lenses/lenses.ts';
+import { isPanoramic, type Lens, pixelSolidAngle } from './lenses/lenses.ts';
 import type { PictureSize } from './pictureSize.ts';
 import { type PixelRect, rectContains } from './pictureViews.ts';
 
@@ -46,6 +46,7 @@ export function mergeReadings(
 
 /** Readings of a picture of this size, with NaN where its lens shows nothing. */
 export function readingsInPicture(readings: LightMeterReadings, lens: Lens, size: PictureSize): LightMeterReadings {
+  if (!isPanoramic(lens)) return readings;
   const isShown = (cell: number): boolean =>
     pixelSolidAngle(
       lens,
@@ -54,6 +55,5 @@ export function readingsInPicture(readings: LightMeterReadings, lens: Lens, size
       size,
     ) > 0;
   const shown = (values: Float32Array): Float32Array => values.map((value, i) => (isShown(i) ? value : Number.NaN));
-  if (lens.kind !== 'fisheye') return readings;
   return { luminance: shown(readings.luminance), doppler: shown(readings.doppler), time: shown(readings.time) };
 }

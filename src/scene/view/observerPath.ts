@@ -5,7 +5,7 @@ import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { isStatic } from '../motion/motion.ts';
 import type { SceneCamera } from '../types.ts';
 import { observerFromCamera, riddenLine } from './camera.ts';
-import { perspective } from './lenses/perspectiveLens.ts';
+import type { Lens } from './lenses/lenses.ts';
 import type { ViewPoint } from './view.ts';
 
 /** The observer at world time t [s]. */
@@ -20,8 +20,8 @@ export interface ObserverSetup {
   readonly position?: Vec3;
   /** As in `ViewPoint`. */
   readonly orientation?: Quat;
-  /** [rad] */
-  readonly fovY?: number;
+  /** Replaces the camera's. */
+  readonly lens?: Lens;
   /** Keeps the position in spite of the velocity, as the lock `look`. */
   readonly stayInPlace?: boolean;
   /** As in `ViewPoint` [m]. */
@@ -37,7 +37,7 @@ export const ridesCamera = ({ camera, position }: Pick<ObserverSetup, 'camera' |
  * stays there.
  */
 export function observerPathFrom(setup: ObserverSetup, c: number, start: number): ObserverPath {
-  const { camera, beta, position, orientation, fovY, stayInPlace, vantage } = setup;
+  const { camera, beta, position, orientation, lens, stayInPlace, vantage } = setup;
   const moves = ridesCamera(setup);
   return (t) => {
     const carried = observerFromCamera(camera, t, c);
@@ -47,7 +47,7 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
       position: addScaled(position ?? carried.position, beta ?? ZERO, drift),
       u: beta ? properVelocity(beta) : moves ? carried.u : ZERO,
       orientation: orientation ?? carried.orientation,
-      lens: fovY === undefined ? carried.lens : perspective(fovY),
+      lens: lens ?? carried.lens,
       ...(vantage && { vantage }),
     };
   };

@@ -55,6 +55,7 @@ const LENSES: readonly { name: string; lens: PanoramicLens; width: number; heigh
   { name: 'equirectangular', lens: { kind: 'equirectangular' }, width: 256, height: 128 },
   { name: 'dome', lens: domeLens(Math.PI, 0.3), width: 160, height: 160 },
   { name: 'fisheye of 250°', lens: { kind: 'fisheye', aperture: 4.36, elevation: 0 }, width: 200, height: 160 },
+  { name: 'equirectangular with bars', lens: { kind: 'equirectangular' }, width: 160, height: 110 },
   { name: 'cube', lens: { kind: 'cube', layout: '3x2' }, width: 192, height: 128 },
   { name: 'row of faces', lens: { kind: 'cube', layout: '6x1' }, width: 384, height: 64 },
 ];

@@ -1,5 +1,4 @@
 import type { Vec3 } from '../../../math/vec3.ts';
-import type { PictureSize } from '../pictureSize.ts';
 import type { LensModel } from './lensModel.ts';
 
 /** An angular fisheye, also called equidistant: the distance from the middle of the circle is proportional to the angle from the axis. */
@@ -25,12 +24,6 @@ export const domeLens = (aperture: number, tilt: number): FisheyeLens => ({
   elevation: Math.PI / 2 - tilt,
 });
 
-/** Half the picture's width and height over the circle's radius, which is half the smaller one. */
-export const circleScale = ({ width, height }: PictureSize): readonly [number, number] => {
-  const diameter = Math.min(width, height);
-  return [width / diameter, height / diameter];
-};
-
 /** Right, up and back of the lens to those of the camera: about the right axis. */
 function raised([right, up, back]: Vec3, elevation: number): Vec3 {
   const [sine, cosine] = [Math.sin(elevation), Math.cos(elevation)];
@@ -39,32 +32,28 @@ function raised([right, up, back]: Vec3, elevation: number): Vec3 {
 
 /** θ = r A/2 with r the distance from the middle over the circle's radius. A pixel has the solid angle (sin θ/θ)(A/d)², d the circle's diameter [px]. */
 export const fisheyeModel: LensModel<FisheyeLens> = {
-  directionAt({ aperture, elevation }, [x, y], size) {
-    const [across, up] = circleScale(size);
-    const [px, py] = [x * across, y * up];
-    const r = Math.hypot(px, py);
+  directionAt({ aperture, elevation }, [x, y]) {
+    const r = Math.hypot(x, y);
     if (r > 1) return undefined;
     const theta = (r * aperture) / 2;
     const spread = r > 0 ? Math.sin(theta) / r : 0;
-    return raised([spread * px, spread * py, -Math.cos(theta)], elevation);
+    return raised([spread * x, spread * y, -Math.cos(theta)], elevation);
   },
-  placeOf({ aperture, elevation }, direction, size) {
+  placeOf({ aperture, elevation }, direction) {
     const [right, up, back] = raised(direction, -elevation);
     const sine = Math.hypot(right, up);
-    const r = Math.atan2(sine, -back) / (aperture / 2);
     if (sine === 0) return back < 0 ? [0, 0] : undefined;
-    const [across, high] = circleScale(size);
-    return [(r * right) / sine / across, (r * up) / sine / high];
+    const r = Math.atan2(sine, -back) / (aperture / 2);
+    return [(r * right) / sine, (r * up) / sine];
   },
-  pixelSolidAngle({ aperture }, [x, y], size) {
-    const [across, up] = circleScale(size);
-    const r = Math.hypot(x * across, y * up);
+  pixelSolidAngle({ aperture }, [x, y], { width }) {
+    const r = Math.hypot(x, y);
     if (r > 1) return 0;
     const theta = (r * aperture) / 2;
-    return (theta > 0 ? Math.sin(theta) / theta : 1) * (aperture / Math.min(size.width, size.height)) ** 2;
+    return (theta > 0 ? Math.sin(theta) / theta : 1) * (aperture / width) ** 2;
   },
-  pixelsPerRadian({ aperture }, { width, height }) {
+  pixelsPerRadian({ aperture }, { width }) {
     const theta = Math.min(aperture, Math.PI) / 2;
-    return (Math.min(width, height) / aperture) * Math.sqrt(theta / Math.sin(theta));
+    return (width / aperture) * Math.sqrt(theta / Math.sin(theta));
   },
 };

@@ -1,11 +1,11 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { PictureSize } from '../pictureSize.ts';
 
-/** A place in a picture: −1 … 1 to the right and up, (0, 0) in the middle. */
+/** A place in the part of a picture that the lens fills: −1 … 1 to the right and up, (0, 0) in the middle. */
 export type PicturePlace = readonly [x: number, y: number];
 
 /**
- * What a lens of one kind does. Directions are unit vectors on the camera's axes: +X right, +Y up, −Z forward, in the observer's frame. One definition for
+ * What a lens of one kind does, with the size of the part of the picture that it fills. Directions are unit vectors on the camera's axes: +X right, +Y up, −Z forward, in the observer's frame. One definition for
  * both renderers, stars, metering and labels; src/shaders/lenses has the twins of `directionAt`.
  */
 export interface LensModel<Lens> {

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { PictureSize } from '../pictureSize.ts';
-import { type CubeLens, cubeModel } from './cubeLens.ts';
+import { CUBE_GRIDS, type CubeLens, cubeModel } from './cubeLens.ts';
 import { type EquirectangularLens, equirectangularModel } from './equirectangularLens.ts';
 import { type FisheyeLens, fisheyeModel } from './fisheyeLens.ts';
 import type { LensModel, PicturePlace } from './lensModel.ts';
@@ -31,27 +31,58 @@ export const isPanoramic = (lens: Lens): lens is PanoramicLens => lens.kind !== 
 
 const modelOf = (lens: Lens): LensModel<Lens> => LENSES[lens.kind] as LensModel<Lens>;
 
-const placeAt = (x: number, y: number, { width, height }: PictureSize): PicturePlace => [
-  (2 * x) / width - 1,
-  1 - (2 * y) / height,
-];
+/** Width over height of a lens's pictures; undefined where any shape will do. */
+export function pictureShape(lens: Lens): number | undefined {
+  switch (lens.kind) {
+    case 'perspective':
+      return undefined;
+    case 'equirectangular':
+      return 2;
+    case 'fisheye':
+      return 1;
+    case 'cube': {
+      const [columns, rows] = CUBE_GRIDS[lens.layout];
+      return columns / rows;
+    }
+  }
+}
+
+/** The part of a picture that a lens fills, in its middle [px]; beside it, it shows nothing. */
+export function filledSize(lens: Lens, { width, height }: PictureSize): PictureSize {
+  const shape = pictureShape(lens) ?? width / height;
+  return { width: Math.min(width, height * shape), height: Math.min(height, width / shape) };
+}
+
+/** A point of a picture, as a place in the part that the lens fills. */
+function placeAt(lens: Lens, x: number, y: number, size: PictureSize): { place: PicturePlace; filled: PictureSize } {
+  const filled = filledSize(lens, size);
+  return { place: [(2 * x - size.width) / filled.width, (size.height - 2 * y) / filled.height], filled };
+}
+
+const isFilled = ([x, y]: PicturePlace): boolean => Math.abs(x) <= 1 && Math.abs(y) <= 1;
 
 /**
  * The direction that is seen at a point of a picture [px from its top left corner; the first pixel's centre is at (½, ½)]: unit, camera axes; undefined
  * where the picture shows nothing.
  */
-export const lensDirection = (lens: Lens, x: number, y: number, size: PictureSize): Vec3 | undefined =>
-  modelOf(lens).directionAt(lens, placeAt(x, y, size), size);
+export function lensDirection(lens: Lens, x: number, y: number, size: PictureSize): Vec3 | undefined {
+  const { place, filled } = placeAt(lens, x, y, size);
+  return isPanoramic(lens) && !isFilled(place) ? undefined : modelOf(lens).directionAt(lens, place, filled);
+}
 
 /** Where a direction (unit, camera axes) is in a picture [px from its top left corner], possibly outside it; undefined if it has no place in its plane. */
 export function lensPixel(lens: Lens, direction: Vec3, size: PictureSize): readonly [number, number] | undefined {
-  const place = modelOf(lens).placeOf(lens, direction, size);
-  return place && [((place[0] + 1) / 2) * size.width, ((1 - place[1]) / 2) * size.height];
+  const filled = filledSize(lens, size);
+  const place = modelOf(lens).placeOf(lens, direction, filled);
+  return place && [(size.width + place[0] * filled.width) / 2, (size.height - place[1] * filled.height) / 2];
 }
 
 /** Solid angle of a pixel at a point of a picture [sr]; 0 where it shows nothing. */
-export const pixelSolidAngle = (lens: Lens, x: number, y: number, size: PictureSize): number =>
-  modelOf(lens).pixelSolidAngle(lens, placeAt(x, y, size), size);
+export function pixelSolidAngle(lens: Lens, x: number, y: number, size: PictureSize): number {
+  const { place, filled } = placeAt(lens, x, y, size);
+  return isPanoramic(lens) && !isFilled(place) ? 0 : modelOf(lens).pixelSolidAngle(lens, place, filled);
+}
 
 /** How well a picture resolves (`LensModel`) [px/rad]. */
-export const pixelsPerRadian = (lens: Lens, size: PictureSize): number => modelOf(lens).pixelsPerRadian(lens, size);
+export const pixelsPerRadian = (lens: Lens, size: PictureSize): number =>
+  modelOf(lens).pixelsPerRadian(lens, filledSize(lens, size));

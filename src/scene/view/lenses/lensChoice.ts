@@ -1,0 +1,84 @@
+import { degrees, radians } from '../../../math/angle.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
+import { MessageError } from '../../../messages/messageError.ts';
+import type { PictureSize } from '../pictureSize.ts';
+import { CUBE_GRIDS } from './cubeLens.ts';
+import { domeLens } from './fisheyeLens.ts';
+import type { Lens, PanoramicLens } from './lenses.ts';
+
+/** The lenses that a camera can be given, by the names of flags and parameters. */
+export const LENS_CHOICES = {
+  perspective: msg`Perspective`,
+  equirectangular: msg`Equirectangular, 360°`,
+  fisheye: msg`Fisheye`,
+  dome: msg`Dome`,
+  cube: msg`Cube, 3 × 2 faces`,
+  'cube-strip': msg`Cube, faces in a row`,
+} as const satisfies Readonly<Record<string, LocalizedText>>;
+export type LensChoice = keyof typeof LENS_CHOICES;
+
+/** A lens as people choose it. */
+export interface ChosenLens {
+  readonly lens: LensChoice;
+  /** Of fisheyes and domes: the angle across the circle [°]. */
+  readonly aperture: number;
+  /** Of domes: by how much they are tilted towards the front [°]. */
+  readonly domeTilt: number;
+}
+
+/** Usual values: a hemispherical dome that is not tilted. */
+export const USUAL_LENS: ChosenLens = { lens: 'perspective', aperture: 180, domeTilt: 0 };
+
+/** The panoramic lens of a choice; undefined for the perspective one, which is the camera's. */
+export function panoramicLens({ lens, aperture, domeTilt }: ChosenLens): PanoramicLens | undefined {
+  switch (lens) {
+    case 'perspective':
+      return undefined;
+    case 'equirectangular':
+      return { kind: 'equirectangular' };
+    case 'fisheye':
+      return { kind: 'fisheye', aperture: radians(aperture), elevation: 0 };
+    case 'dome':
+      return domeLens(radians(aperture), radians(domeTilt));
+    case 'cube':
+      return { kind: 'cube', layout: '3x2' };
+    case 'cube-strip':
+      return { kind: 'cube', layout: '6x1' };
+  }
+}
+
+/** A choice of which `panoramicLens` makes this lens. */
+export function choiceOf(lens: PanoramicLens): ChosenLens {
+  switch (lens.kind) {
+    case 'equirectangular':
+      return { ...USUAL_LENS, lens: 'equirectangular' };
+    case 'fisheye': {
+      const aperture = degrees(lens.aperture);
+      if (lens.elevation === 0) return { ...USUAL_LENS, lens: 'fisheye', aperture };
+      return { lens: 'dome', aperture, domeTilt: 90 - degrees(lens.elevation) };
+    }
+    case 'cube':
+      return { ...USUAL_LENS, lens: lens.layout === '3x2' ? 'cube' : 'cube-strip' };
+  }
+}
+
+/** The largest picture of whole pixels within a size that a lens fills; any size for one whose picture is a circle. */
+export function fittedSize(lens: Lens, { width, height }: PictureSize): PictureSize {
+  if (lens.kind === 'perspective' || lens.kind === 'fisheye') return { width, height };
+  const [columns, rows] = lens.kind === 'cube' ? CUBE_GRIDS[lens.layout] : [2, 1];
+  const side = Math.max(1, Math.floor(Math.min(width / columns, height / rows)));
+  return { width: side * columns, height: side * rows };
+}
+
+/** Throws a MessageError if a file's picture would have bars beside what its lens shows. */
+export function assertLensShape(lens: Lens, size: PictureSize): void {
+  const fitted = fittedSize(lens, size);
+  const { width, height } = size;
+  if (fitted.width === width && fitted.height === height) return;
+  const [w, h] = [fitted.width, fitted.height];
+  throw new MessageError(
+    lens.kind === 'equirectangular'
+      ? msg`an equirectangular picture is twice as wide as high, and ${width} × ${height} is not; take ${w} × ${h}`
+      : msg`the faces of a cube are square, ${lens.kind === 'cube' ? lens.layout.replace('x', ' × ') : ''} of them, and those of ${width} × ${height} are not; take ${w} × ${h}`,
+  );
+}
