@@ -41,7 +41,7 @@ export { framingCamera, lookAtOrientation, observerFromCamera } from './view/cam
 export type { CubeLayout, CubeLens } from './view/lenses/cubeLens.ts';
 export type { EquirectangularLens } from './view/lenses/equirectangularLens.ts';
 export { domeLens, type FisheyeLens } from './view/lenses/fisheyeLens.ts';
-export type { Lens } from './view/lenses/lenses.ts';
+export type { Lens, PanoramicLens } from './view/lenses/lenses.ts';
 export { type FrustumSides, offAxisLens, type PerspectiveLens, perspective } from './view/lenses/perspectiveLens.ts';
 export type { LightMeterReadings } from './view/metering.ts';
 export type { Orbit, OutsideCamera } from './view/outsideCamera.ts';

@@ -1,4 +1,5 @@
 import {
+  abs,
   attribute,
   clamp,
   cos,
