@@ -1,6 +1,14 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
-import { changedAt, contentsAt, joinedBytes, type Mp4Box, readMp4Boxes, writeMp4Boxes } from './mp4Boxes.ts';
+import {
+  changedAt,
+  contentsAt,
+  joinedBytes,
+  type Mp4Box,
+  mp4BoxSize,
+  readMp4Boxes,
+  writeMp4Boxes,
+} from './mp4Boxes.ts';
 
 const SAMPLE_TABLE = ['trak', 'mdia', 'minf', 'stbl'];
 const TABLE_PLACE = ['moov', ...SAMPLE_TABLE].join('/');
@@ -17,7 +25,7 @@ export interface FileCut {
 }
 
 /** The places of all chunks in the file [bytes], in the order of the tables in the content of `moov`. */
-export const chunkOffsets = (moov: Uint8Array): number[] =>
+const chunkOffsets = (moov: Uint8Array): number[] =>
   contentsAt(moov, SAMPLE_TABLE, 'moov').flatMap((table) =>
     readMp4Boxes(table, TABLE_PLACE).boxes.flatMap((box) => (isChunkTable(box) ? offsetsIn(box) : [])),
   );
@@ -37,20 +45,22 @@ function offsetsIn({ type, content }: Mp4Box): number[] {
   );
 }
 
+/** Throws where a chunk is inside the part of the file that is replaced. */
+export function checkChunks(moov: Uint8Array, { from, to }: FileCut): void {
+  const inside = chunkOffsets(moov).find((offset) => offset >= from && offset < to);
+  if (inside !== undefined) throw new MessageError(msg`a chunk is at byte ${inside}, inside moov or free space`);
+}
+
 /**
- * The content of `moov` that replaces a part of its file, as the box in which it is: chunks behind the part have moved as
- * much as the new box is longer. Offsets become 64 bits wide in all tables where one of them no longer fits into 32.
- * Throws where a chunk is inside the part.
+ * The content of `moov` whose box replaces a part of its file: chunks behind the part have moved by as much as the box is
+ * longer. Offsets become 64 bits wide in all tables where one of them no longer fits into 32.
  */
-export function withMovedChunks(moov: Uint8Array, cut: FileCut, boxSize: (moov: Uint8Array) => number): Uint8Array {
-  const offsets = chunkOffsets(moov);
-  const inside = offsets.find((offset) => offset >= cut.from && offset < cut.to);
-  if (inside !== undefined) throw new MessageError(msg`a chunk is at byte ${inside}, inside moov`);
-  const highest = offsets.reduce((most, offset) => Math.max(most, offset), 0);
-  const fits = highest + boxSize(moov) - (cut.to - cut.from) <= MAX_U32;
+export function withMovedChunks(moov: Uint8Array, { from, to }: FileCut): Uint8Array {
+  const highest = chunkOffsets(moov).reduce((most, offset) => Math.max(most, offset), 0);
+  const fits = highest + mp4BoxSize(moov) - (to - from) <= MAX_U32;
   const prepared = fits ? moov : withWideOffsets(moov);
-  const move = boxSize(prepared) - (cut.to - cut.from);
-  return changedTables(prepared, (box) => withOffsets(box, moved(offsetsIn(box), cut.to, move)));
+  const move = mp4BoxSize(prepared) - (to - from);
+  return changedTables(prepared, (box) => withOffsets(box, moved(offsetsIn(box), to, move)));
 }
 
 const moved = (offsets: readonly number[], from: number, move: number): number[] =>

@@ -71,17 +71,24 @@ export const writeMp4Boxes = ({ boxes, rest }: Mp4Boxes): Uint8Array =>
   joinedBytes([...boxes.flatMap((box) => [boxHeader(box), box.content]), rest]);
 
 /** The bytes of a box. */
-export const mp4Box = (type: string, ...content: readonly Uint8Array[]): Uint8Array => {
+export function mp4Box(type: string, ...content: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const joined = joinedBytes(content);
-  return joinedBytes([boxHeader({ type, content: joined }), joined]);
-};
+  return joinedBytes([mp4Header(type, mp4BoxSize(joined)), joined]);
+}
 
-function boxHeader({ type, content, isWide = false }: Mp4Box): Uint8Array {
+/** Of the box with a content [bytes]. */
+export const mp4BoxSize = (content: Uint8Array): number => HEADER + content.length;
+
+const boxHeader = ({ type, content, isWide }: Mp4Box): Uint8Array =>
+  mp4Header(type, (isWide ? WIDE_HEADER : HEADER) + content.length, isWide);
+
+/** The header of a box of a size [bytes]. */
+export function mp4Header(type: string, size: number, isWide = false): Uint8Array {
   const header = new Uint8Array(isWide ? WIDE_HEADER : HEADER);
   const view = new DataView(header.buffer);
-  view.setUint32(0, isWide ? 1 : HEADER + content.length);
+  view.setUint32(0, isWide ? 1 : size);
   for (let i = 0; i < 4; i++) header[4 + i] = type.charCodeAt(i);
-  if (isWide) view.setBigUint64(HEADER, BigInt(WIDE_HEADER + content.length));
+  if (isWide) view.setBigUint64(HEADER, BigInt(size));
   return header;
 }
 

@@ -15,8 +15,8 @@ import { xmlValues } from './xmlValues.ts';
 /** The program that made the picture, as files name it. */
 export const MADE_BY = 'Slowlight';
 
-type Values = ReadonlyMap<string, string>;
-type Properties = Readonly<Record<string, string | number>>;
+type PanoramaValues = ReadonlyMap<string, string>;
+type PanoramaProperties = Readonly<Record<string, string | number>>;
 
 /**
  * An XMP packet (ISO 16684-1) with Google's panorama properties (https://developers.google.com/streetview/spherical-metadata).
@@ -37,7 +37,7 @@ ${properties.map(([name, value]) => `      ${name}="${value}"`).join('\n')}/>
 <?xpacket end="r"?>`;
 }
 
-function panoramaProperties(picture: SphericalPicture, size: PictureSize): Properties {
+function panoramaProperties(picture: SphericalPicture, size: PictureSize): PanoramaProperties {
   const eye = eyeSize(size, picture.stereo);
   return {
     'GPano:ProjectionType': picture.projection,
@@ -51,7 +51,7 @@ function panoramaProperties(picture: SphericalPicture, size: PictureSize): Prope
   };
 }
 
-function headingProperty({ heading }: EquirectangularPicture): Properties {
+function headingProperty({ heading }: EquirectangularPicture): PanoramaProperties {
   if (heading === undefined) return {};
   const degrees = (((heading * 180) / Math.PI) % 360) + 360;
   if (!Number.isFinite(degrees)) throw new MessageError(msg`${heading} is no heading`);
@@ -59,7 +59,7 @@ function headingProperty({ heading }: EquirectangularPicture): Properties {
 }
 
 /** The crop of an eye's view, with the prefix of pictures or of films. */
-export function areaProperties(prefix: string, crop: SphericalCrop | undefined, eye: PictureSize): Properties {
+export function areaProperties(prefix: string, crop: SphericalCrop | undefined, eye: PictureSize): PanoramaProperties {
   const { full, area, left, top } = croppedArea(crop, eye);
   return {
     [`${prefix}:CroppedAreaImageWidthPixels`]: area.width,
@@ -110,7 +110,7 @@ export const unknownStereo = (mode: string | number): MessageError =>
   new MessageError(msg`the stereo layout ${mode} is not read; mono, top-bottom and left-right are`);
 
 /** The crop where it is told whole. */
-export function cropOfValues(prefix: string, values: Values): SphericalCrop | undefined {
+export function cropOfValues(prefix: string, values: PanoramaValues): SphericalCrop | undefined {
   const [width, height, fullWidth, fullHeight, left, top] = [
     'CroppedAreaImageWidthPixels',
     'CroppedAreaImageHeightPixels',
@@ -129,7 +129,7 @@ export function cropOfValues(prefix: string, values: Values): SphericalCrop | un
   });
 }
 
-function numberOf(name: string, values: Values): number | undefined {
+function numberOf(name: string, values: PanoramaValues): number | undefined {
   const text = values.get(name);
   if (text === undefined) return undefined;
   const value = Number(text);

@@ -3,9 +3,9 @@ import { MessageError } from '../../messages/messageError.ts';
 import { formatBytes } from '../diagnostics/inputError.ts';
 import type { RandomAccessFile } from '../zip/directory.ts';
 import { memoryFile } from '../zip/zipSource.ts';
-import { uncorrected, withMovedChunks } from './chunkOffsets.ts';
+import { checkChunks, uncorrected, withMovedChunks } from './chunkOffsets.ts';
 import { inFile } from './inFile.ts';
-import { joinedBytes, type Mp4Header, mp4Box, readMp4Header } from './mp4Boxes.ts';
+import { joinedBytes, type Mp4Header, mp4Box, mp4Header, readMp4Header } from './mp4Boxes.ts';
 import { sphericalOfMoov, withSphericalBoxes } from './sphericalMoov.ts';
 import type { SphericalPicture } from './sphericalPicture.ts';
 
@@ -22,8 +22,9 @@ export interface FileEdit {
 /** Largest `moov` that is read [bytes], and most boxes of a file. */
 const MAX_MOOV = 2 ** 26;
 const MAX_FILE_BOXES = 10_000;
-/** Smallest box [bytes]. */
+/** Smallest box, and largest free one that is used [bytes]. */
 const MIN_BOX = 8;
+const MAX_FREE = 2 ** 31;
 
 /**
  * How to mark an MP4 film as spherical, after Spherical Video V2 and, for equirectangular pictures, V1. Only its `moov`
@@ -40,17 +41,19 @@ const MIN_BOX = 8;
 export const sphericalMp4Edit = (file: RandomAccessFile, name: string, picture: SphericalPicture): Promise<FileEdit> =>
   inFile(name, async () => {
     const { moov, room, isLast, hasMeta } = await findMoov(file);
+    const { at } = moov;
     const marked = withSphericalBoxes(await readContent(file, moov), picture);
-    const box = mp4Box('moov', marked);
-    const edit = { at: moov.at, removed: room };
-    if (isLast) return { ...edit, bytes: joinedBytes([box]) };
-    const free = room - box.length;
-    if (free === 0) return { ...edit, bytes: joinedBytes([box]) };
-    if (free >= MIN_BOX) return { ...edit, bytes: joinedBytes([box, mp4Box('free', new Uint8Array(free - MIN_BOX))]) };
+    const replaced = { from: at, to: at + room };
+    checkChunks(marked, replaced);
+    const bytes = mp4Box('moov', marked);
+    const free = room - bytes.length;
+    if (isLast || free === 0) return { at, removed: room, bytes };
+    if (free >= MIN_BOX) {
+      const withFree = joinedBytes([bytes, mp4Header('free', free)]);
+      return { at, removed: withFree.length, bytes: withFree };
+    }
     if (hasMeta) throw uncorrected('meta');
-    const boxSize = (content: Uint8Array): number => MIN_BOX + content.length;
-    const moved = withMovedChunks(marked, { from: moov.at, to: moov.at + room }, boxSize);
-    return { ...edit, bytes: joinedBytes([mp4Box('moov', moved)]) };
+    return { at, removed: room, bytes: mp4Box('moov', withMovedChunks(marked, replaced)) };
   });
 
 /**
@@ -111,7 +114,7 @@ async function findMoov(file: RandomAccessFile) {
     throw new MessageError(msg`there are two moov boxes, at byte ${boxes[index].at} and ${boxes[second].at}`);
   const moov = boxes[index];
   const next = boxes[index + 1];
-  const isFree = next?.type === 'free' || next?.type === 'skip';
+  const isFree = (next?.type === 'free' || next?.type === 'skip') && next.size <= MAX_FREE;
   const room = moov.size + (isFree ? next.size : 0);
   const hasMeta = boxes.some(({ type }) => type === 'meta');
   return { moov, room, isLast: moov.at + room === file.size, hasMeta };

@@ -1068,7 +1068,7 @@ const messages: Translation['messages'] = {
     '影片是分段的（fragmented），无法标记；请保存为不分段的影片',
   'the film has no video track': '影片没有视频轨',
   '{} does not describe its frames': '{1} 没有描述它的帧',
-  'a chunk is at byte {}, inside moov': '第 {1} 字节处的数据块在 moov 之内',
+  'a chunk is at byte {}, inside moov or free space': '第 {1} 字节处的数据块在 moov 或空闲空间之内',
   'its box {} holds positions in the file, which are not corrected; save it with moov at its end':
     '它的 box {1} 含有文件中的位置，这些位置不会被修正；请把 moov 保存在文件末尾',
   'a {} picture of {} × {} pixels has no two equal halves': '{2} × {3} 像素的 {1} 图片分不成相等的两半',
