@@ -1,6 +1,6 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 
 /** How the views of two eyes share a picture: none, or the left eye's in the top or left half. */
 export type StereoLayout = 'none' | 'top-bottom' | 'left-right';
@@ -33,8 +33,8 @@ export interface EquirectangularPicture {
 }
 
 /**
- * Six square faces in a grid of 3 × 2: right, left, up; down, front, back. The top of the up face is in front, that of
- * the down face behind (layout 0 of Spherical Video V2).
+ * Six square faces, seen from inside, in a grid of 3 × 2: right, left, up; down, front, back (layout 0 of Spherical Video
+ * V2). What is ahead is at the bottom of the up face and at the top of the down face, as VLC and ffmpeg's v360 have it.
  */
 export interface CubemapPicture {
   /** Which of the two it is. */

@@ -1,6 +1,6 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
-import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { imageKind } from '../image/decodeImage.ts';
 import type { ExrImage } from '../image/exr.ts';
 import { readExrHeader } from '../image/readExr.ts';
