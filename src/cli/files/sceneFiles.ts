@@ -70,7 +70,7 @@ export async function openSceneFile(path: string, options: ReadOptions = {}): Pr
 }
 
 /** A file on disk that is opened for each read; archives need few. */
-async function partedFile(path: string): Promise<RandomAccessFile> {
+export async function partedFile(path: string): Promise<RandomAccessFile> {
   try {
     const stat = await withFile(path, (file) => file.stat());
     if (!stat.isFile()) throw inputError('file.missing', path, msg`is a folder; name the scene in it`);

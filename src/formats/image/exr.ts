@@ -16,7 +16,16 @@ export interface ExrImage {
   readonly channels: readonly ExrChannel[];
   /** Text in the header, by name. */
   readonly attributes?: Readonly<Record<string, string>>;
+  /** Which environment map it is; absent: none. */
+  readonly envmap?: ExrEnvmap;
 }
+
+/**
+ * The standard attribute `envmap`. `latlong`: twice as wide as high, the whole sphere, seen from inside: the middle is +Z,
+ * +X a quarter of the width left of it, +Y at the top. `cube`: six faces below each other, +X −X +Y −Y +Z −Z.
+ * Source: OpenEXR, ImfEnvmap.h.
+ */
+export type ExrEnvmap = 'latlong' | 'cube';
 
 /** One number per pixel. */
 export interface ExrChannel {
@@ -30,6 +39,8 @@ export interface ExrChannel {
 
 export const EXR_MAGIC = 20000630;
 export const EXR_PIXEL_TYPES = ['uint', 'half', 'float'] as const;
+/** By their number in the file. */
+export const EXR_ENVMAPS: readonly ExrEnvmap[] = ['latlong', 'cube'];
 export const EXR_ZIP = 3;
 /** Rows that ZIP compresses together. */
 export const EXR_ZIP_ROWS = 16;
@@ -53,7 +64,7 @@ export function writeExr(image: ExrImage): Uint8Array {
   const { width, height } = image;
   const channels = [...image.channels].sort(byName);
   checkImage(width, height, channels);
-  const header = writeHeader(width, height, channels, image.attributes ?? {});
+  const header = writeHeader(image, channels);
   const blocks: Uint8Array[] = [];
   for (let y = 0; y < height; y += EXR_ZIP_ROWS) {
     const raw = packRows(channels, width, y, Math.min(height, y + EXR_ZIP_ROWS));
@@ -73,7 +84,8 @@ function checkImage(width: number, height: number, channels: readonly ExrChannel
   }
 }
 
-function writeHeader(w: number, h: number, channels: readonly ExrChannel[], texts: Record<string, string>): Uint8Array {
+function writeHeader({ width, height, attributes, envmap }: ExrImage, channels: readonly ExrChannel[]): Uint8Array {
+  const texts = attributes ?? {};
   const out = new ByteWriter();
   const long = [...channels.map((c) => c.name), ...Object.keys(texts)].some(
     (n) => new TextEncoder().encode(n).length > 31,
@@ -86,11 +98,12 @@ function writeHeader(w: number, h: number, channels: readonly ExrChannel[], text
   const window = new ByteWriter()
     .int(0)
     .int(0)
-    .int(w - 1)
-    .int(h - 1)
+    .int(width - 1)
+    .int(height - 1)
     .bytes();
   out.attribute('dataWindow', 'box2i', window);
   out.attribute('displayWindow', 'box2i', window);
+  if (envmap) out.attribute('envmap', 'envmap', Uint8Array.of(EXR_ENVMAPS.indexOf(envmap)));
   out.attribute('lineOrder', 'lineOrder', Uint8Array.of(0));
   out.attribute('pixelAspectRatio', 'float', new ByteWriter().float(1).bytes());
   out.attribute('screenWindowCenter', 'v2f', new ByteWriter().float(0).float(0).bytes());

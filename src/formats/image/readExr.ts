@@ -5,11 +5,13 @@ import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import {
+  EXR_ENVMAPS,
   EXR_MAGIC,
   EXR_PIXEL_TYPES,
   EXR_ZIP,
   EXR_ZIP_ROWS,
   type ExrChannel,
+  type ExrEnvmap,
   type ExrImage,
   exrValueBytes,
 } from './exr.ts';
@@ -37,6 +39,7 @@ interface ExrHeader {
   readonly compression: number;
   readonly channels: readonly { readonly name: string; readonly type: ExrChannel['type'] }[];
   readonly attributes: Readonly<Record<string, string>>;
+  readonly envmap?: ExrEnvmap;
 }
 
 /** Refuses, by throwing, a picture of a size. */
@@ -49,11 +52,21 @@ export type SizeCheck = (width: number, height: number, name: string) => void;
  * readExr(writeExr({ width: 1, height: 1, channels: [y] }), 'one.exr').channels[0]; // { name: 'Y', type: 'half', data: [0.25] }
  */
 export function readExr(bytes: Uint8Array, name: string, checkSize: SizeCheck = () => undefined): ExrImage {
-  try {
+  return unlessDamaged(name, () => {
     const cursor = new ByteCursor(bytes);
     const header = readHeader(cursor, name);
     checkSize(header.width, header.height, name);
     return { ...header, channels: readPixels(cursor, header) };
+  });
+}
+
+/** What the header says, without the pixels; throws as `readExr` does. */
+export const readExrHeader = (bytes: Uint8Array, name: string): Omit<ExrImage, 'channels'> =>
+  unlessDamaged(name, () => readHeader(new ByteCursor(bytes), name));
+
+function unlessDamaged<Result>(name: string, read: () => Result): Result {
+  try {
+    return read();
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
     const message = msg`the EXR is damaged or cut off (${messageOf(thrown)}); render or export it again`;
@@ -82,7 +95,14 @@ function readHeader(cursor: ByteCursor, name: string): ExrHeader {
   const compression = need('compression').byte();
   if (![NONE, ZIPS, EXR_ZIP].includes(compression))
     throw unsupported(name, msg`${COMPRESSIONS[compression] ?? compression} compression`);
-  return { ...readWindow(need('dataWindow')), compression, channels: readChannels(need('channels'), name), attributes };
+  const envmap = EXR_ENVMAPS[found.get('envmap')?.byte() ?? -1];
+  return {
+    ...readWindow(need('dataWindow')),
+    compression,
+    channels: readChannels(need('channels'), name),
+    attributes,
+    ...(envmap && { envmap }),
+  };
 }
 
 const unsupported = (name: string, what: Message): InputError =>

@@ -1054,6 +1054,45 @@ const messages: Translation['messages'] = {
   'two EXR channels are named {}': '有两个 EXR 通道名为 {1}',
   'EXR channel {} has {} values for {} × {} pixels': 'EXR 通道 {1} 有 {2} 个值，而像素为 {3} × {4}',
 
+  // Spherical pictures and films
+  '{} has {} bytes, less than {}': '{1} 只有 {2} 字节，少于 {3} 字节',
+  '{} at byte {} claims {} bytes of the {} that are left': '第 {2} 字节处的 {1} 声称有 {3} 字节，而只剩 {4} 字节',
+  '{} at byte {} claims {} bytes, less than its header has': '第 {2} 字节处的 {1} 声称有 {3} 字节，比它的头还少',
+  'the header of {} at byte {} is cut off': '第 {2} 字节处 {1} 的头被截断',
+  '{} has more than {} boxes': '{1} 的 box 超过 {2} 个',
+  'there are more than {} boxes': 'box 超过 {1} 个',
+  'there are two moov boxes, at byte {} and {}': '有两个 moov box，分别在第 {1} 和第 {2} 字节',
+  'there is no moov box: the film is cut off, or was never finished': '没有 moov box：影片被截断，或没有写完',
+  'moov has {}; at most {} are read': 'moov 有 {1}；最多读取 {2}',
+  'the film is fragmented, which cannot be marked; save it without fragments':
+    '影片是分段的（fragmented），无法标记；请保存为不分段的影片',
+  'the film has no video track': '影片没有视频轨',
+  '{} does not describe its frames': '{1} 没有描述它的帧',
+  'a chunk is at byte {}, inside moov or free space': '第 {1} 字节处的数据块在 moov 或空闲空间之内',
+  'its box {} holds positions in the file, which are not corrected; save it with moov at its end':
+    '它的 box {1} 含有文件中的位置，这些位置不会被修正；请把 moov 保存在文件末尾',
+  'a {} picture of {} × {} pixels has no two equal halves': '{2} × {3} 像素的 {1} 图片分不成相等的两半',
+  'a crop of {} left, {} right, {} top and {} bottom leaves nothing':
+    '左 {1}、右 {2}、上 {3}、下 {4} 的裁剪什么也不留下',
+  'an area of {} × {} pixels at ({}, {}) is not in a sphere of {} × {}':
+    '位于（{3}，{4}）的 {1} × {2} 像素区域不在 {5} × {6} 的球面图之内',
+  '{} is no heading': '{1} 不是方位角',
+  '{} is “{}”, which is no number': '{1} 为“{2}”，不是数',
+  'the projection {} is not read; equirectangular and cubemap are':
+    '投影 {1} 无法读取；可以读取 equirectangular 和 cubemap',
+  'the stereo layout {} is not read; mono, top-bottom and left-right are':
+    '立体布局 {1} 无法读取；可以读取 mono、top-bottom 和 left-right',
+  'a cube map of layout {} with {} pixels of padding is not read; layout 0 without is':
+    '布局 {1}、填充 {2} 像素的立方体贴图无法读取；可以读取布局 0 且没有填充的',
+  'a cube map in a column is not read; one of 3 × 2 faces is': '排成一列的立方体贴图无法读取；可以读取 3 × 2 排列的',
+  'the XML has {} bytes; at most {} are read': 'XML 有 {1} 字节；最多读取 {2} 字节',
+  'the XMP chunk at byte {} is damaged': '第 {1} 字节处的 XMP 块已损坏',
+  'the compressed XMP is damaged ({})': '压缩的 XMP 已损坏（{1}）',
+  'the JPEG is damaged or cut off at byte {}; copy it again': 'JPEG 在第 {1} 字节处损坏或被截断；请重新复制',
+  'the PNG is cut off in the chunk at byte {}; copy it again': 'PNG 在第 {1} 字节处的块中被截断；请重新复制',
+  'this is no PNG': '这不是 PNG',
+  'the picture has {}; at most {} are read': '图片有 {1}；最多读取 {2}',
+
   // Radiance pictures
   'the Radiance picture is damaged or cut off ({}); export it again': 'Radiance 图片已损坏或被截断（{1}）；请重新导出',
   'a Radiance picture of {} is not read; save it as RGBE': '{1} 的 Radiance 图片无法读取；请保存为 RGBE',
