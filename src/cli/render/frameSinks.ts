@@ -1,9 +1,11 @@
 import { extname } from 'node:path';
 import { GifEncoder } from '../../formats/image/gif/encodeGif.ts';
 import { gifProblem } from '../../formats/image/gif/gifLimits.ts';
+import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
 import { anyOf, msg } from '../../messages/message.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import type { PictureFrame } from '../../nodes/pictures/sequence.ts';
+import { sphericalFileOf } from '../../nodes/pictures/sphericalFile.ts';
 import type { Scene } from '../../scene/types.ts';
 import { checkWritable, OutputFile, writeFileAtomically } from '../files/outputFile.ts';
 import { usageError } from '../terminal/exitCodes.ts';
@@ -99,11 +101,15 @@ async function videoSink({ output, size }: RenderFlags, fps: number): Promise<Fr
   }
   const video = await VideoWriter.open(output, size, fps);
   const files: string[] = [];
+  let spherical: SphericalPicture | undefined;
   return {
     files,
-    add: ({ rendered }) => video.add(rendered.pixels),
+    add: ({ rendered, views }) => {
+      spherical ??= sphericalFileOf(views, size);
+      return video.add(rendered.pixels);
+    },
     finish: async () => {
-      await video.finish();
+      await video.finish(spherical);
       files.push(output);
     },
     discard: () => video.discard(),

@@ -1,9 +1,13 @@
 import { type ChildProcessByStdio, spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import type { Readable, Writable } from 'node:stream';
+import { sphericalMp4Edit } from '../../formats/spherical/sphericalMp4.ts';
+import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
 import { msg } from '../../messages/message.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import { applyFileEdit } from '../files/fileEdit.ts';
 import { killWhenStopped, OutputFile } from '../files/outputFile.ts';
+import { partedFile } from '../files/sceneFiles.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 
 /** Extension of the films that ffmpeg encodes. */
@@ -59,13 +63,22 @@ export class VideoWriter {
     await Promise.race([once(this.encoder.stdin, 'drain'), this.ended]);
   }
 
-  async finish(): Promise<void> {
+  /** `spherical`: what the film says about the sphere of directions. */
+  async finish(spherical?: SphericalPicture): Promise<void> {
     this.encoder.stdin.end();
     const code = await this.ended;
     this.forget();
-    if (code === 0) return this.file.commit();
+    if (code === 0) {
+      if (spherical) await this.mark(spherical);
+      return this.file.commit();
+    }
     this.file.discard();
     throw inputProblem(msg`${this.file.path}: ffmpeg failed: ${this.complaint.trim() || `exit ${code}`}`);
+  }
+
+  private async mark(spherical: SphericalPicture): Promise<void> {
+    const { temporary, path } = this.file;
+    applyFileEdit(temporary, await sphericalMp4Edit(await partedFile(temporary), path, spherical));
   }
 
   discard(): void {

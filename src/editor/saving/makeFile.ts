@@ -2,11 +2,14 @@ import { zipSync } from 'fflate';
 import { partOf } from '../../formats/diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../formats/diagnostics/inputError.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
+import { withSphericalMp4 } from '../../formats/spherical/sphericalMp4.ts';
+import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import { pictureSequence } from '../../nodes/pictures/fileSequence.ts';
 import { type PictureFrame, type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
+import { sphericalFileOf } from '../../nodes/pictures/sphericalFile.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import type { ImageOutput, RequestedFile, SceneOutput, VideoOutput } from '../../nodes/project/outputFiles.ts';
 import { interactivePipeline, openSession } from '../../pipelines/registry.ts';
@@ -44,11 +47,15 @@ export async function makeFile(file: RequestedFile, options: MakeFileOptions): P
         msg`This browser cannot encode films of that size. Save frames instead (a name like film.####.png), or save the project and run: ${command}`,
     );
   try {
+    let spherical: SphericalPicture | undefined;
     await renderFrames(file, picture, options, async (frame) => {
+      spherical ??= sphericalFileOf(frame.views, picture.size);
       await encoder.add(frame.rendered.pixels);
       checkSize(encoder.size);
     });
-    return { name: file.name, content: new Blob([await encoder.finish()], { type: 'video/mp4' }) };
+    const film = await encoder.finish();
+    const marked = spherical ? await withSphericalMp4(new Uint8Array(film), file.name, spherical) : film;
+    return { name: file.name, content: new Blob([marked], { type: 'video/mp4' }) };
   } finally {
     encoder.close();
   }

@@ -1,12 +1,16 @@
 import { encodePng } from '../../formats/image/encodePng.ts';
 import { type ExrChannel, writeExr } from '../../formats/image/exr.ts';
 import { withPngText } from '../../formats/image/pngText.ts';
+import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
+import { sphericalExr, withSphericalPng } from '../../formats/spherical/sphericalPictures.ts';
 import type { AovValues, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { Scene } from '../../scene/types.ts';
 import { observerMetadata, pictureMetadata } from '../../scene/view/pictureMetadata.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import { AOVS, type AovName, type RenderSettings } from '../../scene/view/view.ts';
+
+import { sphericalFileOf } from './sphericalFile.ts';
 
 /** Metadata of a picture. */
 export interface PictureInfo {
@@ -21,12 +25,15 @@ export const frameName = (pattern: string, frame: number): string =>
   pattern.replace(/#+/, (run) => (frame < 0 ? '-' : '') + String(Math.abs(frame)).padStart(run.length, '0'));
 
 /** Encodes a display picture with its metadata. */
-export const encodePngPicture = (
+export function encodePngPicture(
   size: PictureSize,
   { pixels }: RenderedPicture,
   { views, settings }: PictureInfo,
-): Uint8Array<ArrayBuffer> =>
-  withPngText(encodePng(size.width, size.height, pixels), pictureMetadata(views[0], settings));
+): Uint8Array<ArrayBuffer> {
+  const png = withPngText(encodePng(size.width, size.height, pixels), pictureMetadata(views[0], settings));
+  const spherical = sphericalFileOf(views, size);
+  return spherical ? withSphericalPng(png, spherical) : png;
+}
 
 /** Encodes AOVs with their metadata. */
 export const encodeExrPicture = (
@@ -35,7 +42,13 @@ export const encodeExrPicture = (
   { views, settings }: PictureInfo,
   scene: Scene,
 ): Uint8Array =>
-  encodeExr(size, aovs, scene, { scene: scene.name, ...observerMetadata(views[0], settings.speedOfLight) });
+  encodeExr(
+    size,
+    aovs,
+    scene,
+    { scene: scene.name, ...observerMetadata(views[0], settings.speedOfLight) },
+    sphericalFileOf(views, size),
+  );
 
 /** The header names each object, so that the `object` channel can be interpreted elsewhere. */
 function encodeExr(
@@ -43,10 +56,12 @@ function encodeExr(
   aovs: AovValues,
   scene: Scene,
   about: Readonly<Record<string, string>>,
+  spherical: SphericalPicture | undefined,
 ): Uint8Array {
   const channels = [...aovs].flatMap(([name, data]) => splitChannels(name, data));
   const objects = Object.fromEntries(scene.objects.map((object, i) => [String(i + 1), object.path]));
-  return writeExr({ ...size, channels, attributes: { ...about, objects: JSON.stringify(objects) } });
+  const { attributes: marks, ...kind } = spherical ? sphericalExr(spherical, size) : { attributes: {} };
+  return writeExr({ ...size, channels, ...kind, attributes: { ...about, ...marks, objects: JSON.stringify(objects) } });
 }
 
 function splitChannels(name: AovName, data: Float32Array): ExrChannel[] {
