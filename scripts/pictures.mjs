@@ -54,11 +54,14 @@ const thumbnails = {
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 /** The street at 0.9 c, looked at from behind and above. */
 const held = ['--time', '6.5', '--beta', '0,0,-0.9', '--vantage', '0,25,30', '--look-at', '0,0,-20'];
+const half = ['--time', '5', '--beta', '0,0,-0.5'];
 const pictures = [
   ['street', 'street-rest', ['--time', '6.5', '--beta', '0,0,0']],
   ['street', 'street-shape', ['--time', '6.5', '--beta', '0,0,-0.9', ...shape]],
   ['street', 'street-light', ['--time', '6.5', '--beta', '0,0,-0.9']],
   ['street', 'street-held', [...held, ...shape]],
+  ['street', 'street-dome', [...half, '--lens', 'dome', '--dome-tilt', '20', '--size', '640x640']],
+  ['street', 'street-around', [...half, '--lens', 'equirectangular', '--size', '960x480']],
   ...['doppler', 'emission-time', 'radiance', 'band'].map((what) => [
     'sphere',
     `false-${what}`,

@@ -7,12 +7,14 @@ import { hypersurfaceOf } from '../physics/worldLines/hypersurface.ts';
 import { backdropColors } from '../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../scene/lights/skyGradient.ts';
 import { drawnFrom, toObserver } from '../scene/view/drawnFrom.ts';
+import { CUBE_FACES } from '../scene/view/lenses/cubeFaces.ts';
 import { isPanoramic, perspectiveOf } from '../scene/view/lenses/lenses.ts';
 import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lenses/perspectiveLens.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { hypersurfaceChoice, isLuminous, VIEWS } from '../scene/views/views.ts';
 import type { GBufferView } from './deferredPass.ts';
+import type { Batch } from './geometry/batches.ts';
 import type { Body } from './geometry/bodies.ts';
 import { frustumSides } from './geometry/culling.ts';
 import type { Observation } from './geometry/observation.ts';
@@ -35,6 +37,8 @@ export interface RenderView extends GBufferView {
   readonly observer: Vec3;
   /** Index of the view in its picture. */
   readonly viewIndex: number;
+  /** Place among the faces of a panoramic picture; absent: it is none of them. */
+  readonly face?: number;
   readonly observation: Observation;
 }
 
@@ -59,6 +63,9 @@ export function renderViewOf(
 
 /** Largest error along the line of sight over that across it: edges are measured with `DEPTH_WEIGHT` of it, and a triangle may sag twice as far as its edges. */
 const MAX_DEPTH_ERROR = 2 / DEPTH_WEIGHT;
+
+/** Each face has a plan of its own. */
+const MAX_FACES = CUBE_FACES.length;
 
 /** Prepares uploaded scenes for one view at a time, and sets the uniforms and the camera that all passes read. */
 export class FrameSetup {
@@ -110,10 +117,10 @@ export class FrameSetup {
     if (!panoramic) return { ...shared, faces: [] };
     const texels = faceTexels(panoramic.viewPoint, size);
     const faceSize = { width: texels, height: texels };
-    const faces = facesOf(panoramic.viewPoint).map((face): BoundFace => {
+    const faces = facesOf(panoramic.viewPoint).map((face, k): BoundFace => {
       const views = buffers.map((buffer): BoundRenderView | undefined => {
         if (!isPanoramic(buffer.viewPoint.lens)) return undefined;
-        const view = { ...buffer, viewPoint: faceViewPoint(buffer.viewPoint, face) };
+        const view = { ...buffer, viewPoint: faceViewPoint(buffer.viewPoint, face), face: k };
         const bind = (): void => {
           this.prepareFace(view, faceSize);
           this.setSample(view, position, faceSize);
@@ -221,7 +228,7 @@ export class FrameSetup {
 
   /** Tessellates the batches that may be visible, and sorts the transparent ones from far to near. */
   private tessellate(
-    { upload, viewPoint, viewIndex, observation, projection }: RenderView,
+    { upload, viewPoint, viewIndex, face, observation, projection }: RenderView,
     visible: readonly boolean[],
     frustum: Frustum,
     size: PictureSize,
@@ -230,7 +237,9 @@ export class FrameSetup {
     const focal = pixelsPerTangent(frustum, size.width, size.height);
     const { orientation, vantage } = viewPoint;
     const view = { observation, projection, orientation, frustum, focal, ...(vantage && { vantage }) };
-    tessellator.update(view, viewIndex, ({ bodies }) => bodies.some(({ id }) => visible[id - 1]));
+    const planned = face === undefined ? viewIndex : MAX_FACES * viewIndex + face;
+    const isVisible = ({ bodies }: Batch): boolean => bodies.some(({ id }) => visible[id - 1]);
+    tessellator.update(view, planned, isVisible, face !== undefined && face > 0);
     shadows.allowFor((MAX_DEPTH_ERROR * tessellator.achievedTolerance) / focal);
     const placement = placementOf(projection.place, observation.coneSlope);
     const distanceOf = ({ id }: Body): number => {

@@ -5,6 +5,7 @@ import { decode } from 'fast-png';
 import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
+import { sphericalOf } from '../../src/formats/spherical/sphericalOf.ts';
 import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, connect, edited, set } from '../support/graphKit.ts';
@@ -82,6 +83,22 @@ it('a saved picture equals that of the command line, and a film has all its fram
   const jump = ['-v', 'error', '-ss', '0.25', '-i', path, '-frames:v', '1', '-f', 'rawvideo', '-pix_fmt', 'rgba', '-'];
   const raw = execFileSync('ffmpeg', jump);
   expect(difference(Uint8Array.from(raw), Uint8Array.from(picture.data))).toBeLessThan(6);
+});
+
+it('a 360° picture and a 360° film say what they are, and the page shows the picture too', async () => {
+  const visit = await opened(
+    ...[set('camera', 'lens', 'equirectangular'), set('still', 'height', 32), set('film', 'height', 32)],
+  );
+  await visit.shot('equirectangular');
+  const still = await downloaded(visit, 'still');
+  const file = { size: still.content.length, read: async (at: number, end: number) => still.content.subarray(at, end) };
+  expect(await sphericalOf(file, still.name)).toMatchObject({ projection: 'equirectangular', stereo: 'none' });
+  expect(decode(still.content)).toMatchObject({ width: 64, height: 32 });
+  await downloaded(visit, 'film');
+  const path = join(shots, 'download-film.mp4');
+  const asked = ['-v', 'error', '-show_entries', 'stream_side_data=projection', '-of', 'csv=p=0', path];
+  expect(execFileSync('ffprobe', asked).toString()).toContain('equirectangular');
+  expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
 });
 
 it('a film is VP9 where no other codec is available, and a GIF needs none', async () => {

@@ -1983,6 +1983,40 @@ const messages: Translation['messages'] = {
     '用颜色表示数值：多普勒因子 D；所见事件的发生时间；曝光前的亮度；看到的是发射光谱的哪一部分。',
   'Follow the scene’s animated camera with its velocity. Any movement key detaches you.':
     '跟随场景自带的动画相机及其速度；按任意移动键即可接管。',
+  "--aperture is the angle across a fisheye's circle: add --lens fisheye or dome, or leave it out":
+    '--aperture 是鱼眼画面圆的张角：请加上 --lens fisheye 或 dome，或者去掉它',
+  '--dome-tilt is for domes: add --lens dome, or leave it out': '--dome-tilt 用于球幕：请加上 --lens dome，或者去掉它',
+  '--fov is of a perspective lens; --lens {} sees {}: leave it out':
+    '--fov 属于透视镜头；--lens {1} 看到的是{2}：请去掉它',
+  'its --aperture': '它的 --aperture 范围',
+  'all around': '四周全景',
+  'degrees above 0 and at most 360': '大于 0、不超过 360 的度数',
+  'degrees from -90 to 90': '−90 到 90 的度数',
+  'how directions are shown: perspective; equirectangular, 360° around; fisheye, ahead in the middle; dome, a dome master: the zenith in the middle, ahead at the bottom; cube, 3 × 2 faces; cube-strip, six in a row (default: perspective)':
+    '方向如何显示：perspective 透视；equirectangular 等距柱状，360° 全景；fisheye 鱼眼，前方在中央；dome 球幕母版，天顶在中央，前方在下方；cube 立方体，3 × 2 个面；cube-strip 六个面排成一行（默认：perspective）',
+  'of fisheye and dome: the angle across the circle (default: {})': '用于 fisheye 和 dome：画面圆的张角（默认：{1}）',
+  'of dome: by how much the dome is tilted towards the front (default: {})':
+    '用于 dome：球幕向前倾斜的角度（默认：{1}）',
+  'picture size in pixels; of --lens equirectangular by default 2048x1024, of fisheye and dome 1024x1024, of cube 1536x1024, of cube-strip 3072x512':
+    '画面的像素尺寸；--lens equirectangular 默认 2048x1024，fisheye 和 dome 默认 1024x1024，cube 默认 1536x1024，cube-strip 默认 3072x512',
+  Lens: '镜头',
+  'How directions are shown. Equirectangular and cube pictures show all around; a dome master has the zenith in the middle and what is ahead at the bottom.':
+    '方向如何显示。等距柱状和立方体画面显示四周全景；球幕母版的中央是天顶，下方是前方。',
+  'Angle of view': '视角',
+  'The angle across the circle.': '画面圆的张角。',
+  'Dome tilt': '球幕倾角',
+  'By how much the dome is tilted towards the front.': '球幕向前倾斜的角度。',
+  '{} is of a perspective lens; leave it out, or choose that lens': '“{1}”只适用于透视镜头；请去掉它，或改用透视镜头',
+  Perspective: '透视',
+  'Equirectangular, 360°': '等距柱状，360°',
+  Fisheye: '鱼眼',
+  Dome: '球幕',
+  'Cube, 3 × 2 faces': '立方体，3 × 2 个面',
+  'Cube, faces in a row': '立方体，六面一行',
+  'an equirectangular picture is twice as wide as high, and {} × {} is not; take {} × {}':
+    '等距柱状画面的宽是高的两倍，而 {1} × {2} 不是；请用 {3} × {4}',
+  'the faces of a cube are square, {} of them, and those of {} × {} are not; take {} × {}':
+    '立方体的 {1} 个面是正方形，而 {2} × {3} 的面不是；请用 {4} × {5}',
   'Field of view': '视场角',
   'Vertical, in your rest frame.': '竖直方向，在你自己的参考系中。',
   Name: '名称',

@@ -37,7 +37,7 @@ export const sceneCameraNode = defineNode({
     },
     aperture: {
       kind: 'number',
-      title: msg`Aperture`,
+      title: msg`Angle of view`,
       help: msg`The angle across the circle.`,
       unit: '°',
       default: USUAL_LENS.aperture,

@@ -53,6 +53,8 @@ export class Tessellator {
   /** Triangles of the last picture that were counted here, and those that kernels listed, as last read back. */
   private cpuTriangles = 0;
   private gpuTriangles = 0;
+  /** Of the faces before, in a picture of several. */
+  private otherTriangles = 0;
   private frames = 0;
   private achieved = 0;
 
@@ -83,9 +85,9 @@ export class Tessellator {
     this.kernels = new FactorKernels(gpu.renderer, this.buffers);
   }
 
-  /** Triangles drawn in the last picture; on WebGPU up to date after `count`. */
+  /** Triangles drawn in the last picture; on WebGPU up to date after `count`, which counts those that kernels listed for the last of several faces. */
   get triangleCount(): number {
-    return this.cpuTriangles + this.gpuTriangles;
+    return this.otherTriangles + this.cpuTriangles + this.gpuTriangles;
   }
 
   /** Largest distance of straight edges from their curves in the last picture [px]; more than requested if there would be too many patches. */
@@ -93,12 +95,14 @@ export class Tessellator {
     return this.achieved;
   }
 
-  /** Tessellates the batches that may be visible in a view and hides the others. `viewIndex`: index of the view in the picture. */
+  /** Tessellates the batches that may be visible in a view and hides the others. `viewIndex`: index of the view in the picture. `continues`: it is another face of the same picture. */
   update(
     view: Omit<TessellationView, 'tolerance' | 'maxPatches'>,
     viewIndex: number,
     isVisible: (batch: Batch) => boolean,
+    continues = false,
   ): void {
+    this.otherTriangles = continues ? this.otherTriangles + this.cpuTriangles : 0;
     if (this.tolerance === Number.POSITIVE_INFINITY) {
       this.showUntessellated(isVisible);
       return;
