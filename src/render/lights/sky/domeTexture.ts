@@ -21,6 +21,7 @@ import type { DomeLight } from '../../../scene/types.ts';
 import type { HalfAtlas, HalfTable, HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
 import type { Float, Vec2, Vec3 } from '../../../shaders/types.ts';
 import { uploadTexture } from '../../gpu/textures.ts';
+import { domeMipmaps } from './domeMipmaps.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
 import type { SkyMeans } from './skyLobe.ts';
 import { MEAN_RAPIDITIES, MEAN_SIZE, pictureMeans } from './skyMeans.ts';
@@ -37,6 +38,8 @@ export class DomeTexture {
   /** `tint`: factor of its colours. */
   constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3, atlas: HalfAtlas) {
     this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' }, false);
+    this.image.mipmaps = [...domeMipmaps(picture)];
+    this.image.generateMipmaps = false;
     const maps = prefilterDome(picture);
     this.layers = maps.length;
     this.maps = atlas.table('dome', () => stacked(maps));
