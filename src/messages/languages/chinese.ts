@@ -1009,6 +1009,15 @@ const messages: Translation['messages'] = {
   'the picture is {}; convert it to PNG or JPEG': '图片{1}；请转换为 PNG 或 JPEG',
   'neither PNG nor JPEG': '既不是 PNG，也不是 JPEG',
   '{}, which is not read': '是 {1}，无法读取',
+  'it is taken for a grid of 3 × 2 faces of a cube, by its aspect ratio, but their edges do not meet: if it is a photograph, it is no panorama':
+    '按宽高比它被当作 3 × 2 排列的立方体六个面，但各面的边缘不衔接：如果它是照片，就不是全景图',
+  'the picture is {} × {} pixels, and no panorama': '图片为 {1} × {2} 像素，不是全景图',
+  'one is twice as wide as high, or has six square faces: in a strip (6:1 or 1:6), a grid (3:2) or a cross (4:3 or 3:4, with empty corners), or in six files such as px.png, nx.png, py.png, ny.png, pz.png, nz.png':
+    '全景图的宽应为高的两倍，或由六个正方形面组成：条状（6:1 或 1:6）、网格（3:2）、十字形（4:3 或 3:4，四角为空），或六个文件，例如 px.png、nx.png、py.png、ny.png、pz.png、nz.png',
+  'it is one of the six faces of a cube by its name, but there is no {}; open all six together':
+    '按文件名它是立方体六个面之一，但缺少 {1}；请同时打开六个文件',
+  'the faces of a cube must be squares of one size and kind, but {} has {} × {} pixels and {} has {} × {}':
+    '立方体的各面必须是大小和类型相同的正方形，但 {1} 为 {2} × {3} 像素，而 {4} 为 {5} × {6}',
   'the picture is {} × {} pixels, {}; scale it': '图片为 {1} × {2} 像素，{3}；请缩放',
   '1 to {} a side and at most {} Mi pixels are read': '而可读取的每边为 1 至 {1} 像素，总共至多 {2} Mi 像素',
   '1 to {} a side and at most {} Mi pixels are read of such pictures':
@@ -1256,9 +1265,9 @@ const messages: Translation['messages'] = {
   'a type': '类型',
   // ———— Graph, nodes, dynamics, scenes, the page ————
   'Reads a scene file: {}.': '读取场景文件：{1}。',
-  'None of these files is a scene. Drop a {} file, or a folder or zip that contains one.':
-    '这些文件中没有场景。请拖入 {1} 文件，或含有它们的文件夹或 zip。',
-  'Projects; {}; a folder or a zip where it has textures': '项目；{1}；带贴图时请选文件夹或 zip',
+  'None of these files is a scene. Drop a {} file, a panorama, or a folder or zip that contains one.':
+    '这些文件中没有场景。请拖入 {1} 文件、全景图，或含有它们的文件夹或 zip。',
+  'Projects; {}; panoramas; a folder or a zip where it has textures': '项目；{1}；全景图；带贴图时请选文件夹或 zip',
   'The lower it is, the stronger relativistic effects are. In nature: {} m/s.':
     '越低，相对论效应越明显。真实光速：{1} m/s。',
   circle: '圆周',
@@ -3282,8 +3291,8 @@ const messages: Translation['messages'] = {
   'Expected PRIM=X,Y,Z or PRIM=X,Y,Z@T, like /World/Car=0.8,0,0@2.':
     '应写为 PRIM=X,Y,Z 或 PRIM=X,Y,Z@T，例如 /World/Car=0.8,0,0@2。',
   // Scenes and motions
-  '{} file; or a .zip with one, set.zip[scene.usda] to choose one of several':
-    '{1} 文件；或含有此类文件的 .zip，有多个时以 set.zip[scene.usda] 选择',
+  '{} file; a panorama (a picture); or a .zip with one, set.zip[scene.usda] to choose one of several':
+    '{1} 文件；全景图（图片）；或含有此类文件的 .zip，有多个时以 set.zip[scene.usda] 选择',
   "select a variant, as listed by inspect: '/World/Car{paint}=red'; repeatable":
     "选择变体，写法如 inspect 所列：'/World/Car{paint}=red'；可重复",
   'glTF: animation to play, by name or index from 0 (default: the first)':

@@ -1,7 +1,7 @@
 import { toHalf } from '../../../math/half.ts';
 import { linearizationTable } from '../../../scene/materials/sampleTexture.ts';
 import type { DomeLight } from '../../../scene/types.ts';
-import { encodeSrgb } from '../../../spectrum/display/srgb.ts';
+import { srgbByte } from '../../../spectrum/display/srgbBytes.ts';
 import type { Panorama } from './prefilteredDome.ts';
 
 type DomePicture = NonNullable<DomeLight['texture']>;
@@ -173,9 +173,6 @@ function averageRow(row: Float32Array, out: Float32Array, texels: number): void 
   }
 }
 
-/** Steps of linear light for which sRGB's bytes are tabulated; each is far less than a byte. */
-const ENCODED_STEPS = 2 ** 16;
-
 /** Writes linear RGB as texels of the picture's kind, opaque. */
 function encoderOf({ data, colorSpace }: DomePicture): (rgb: Float32Array, texels: Uint8Array | Uint16Array) => void {
   if (data instanceof Uint16Array)
@@ -187,10 +184,7 @@ function encoderOf({ data, colorSpace }: DomePicture): (rgb: Float32Array, texel
         texels[to + 2] = toHalf(rgb[from + 2]);
       }
     };
-  const bytes = Uint8Array.from({ length: ENCODED_STEPS + 1 }, (_, i) =>
-    Math.round(255 * (colorSpace === 'srgb' ? encodeSrgb : Number)(i / ENCODED_STEPS)),
-  );
-  const byteOf = (value: number): number => bytes[Math.min(Math.round(value * ENCODED_STEPS), ENCODED_STEPS)];
+  const byteOf = colorSpace === 'srgb' ? srgbByte : (value: number) => Math.round(255 * value);
   return (rgb, texels) => {
     texels.fill(255);
     for (let from = 0, to = 0; from < rgb.length; from += 3, to += 4) {
