@@ -2243,7 +2243,25 @@ const messages: Translation['messages'] = {
   'Makes an object, with everything below it, fly along a straight line. Rigid objects keep their pose and lose their own motion; deforming objects keep deforming, and its velocity is added to theirs in the world frame.':
     '让物体及其下属部分沿直线飞行。刚体保持姿态、不再有原来的运动；形变物体继续形变，其速度在世界参考系中与飞行速度相加。',
   Scene: '场景',
-  'Composes what is observed.': '组成被观察的场景。',
+  'Composes what is observed. A sky or panorama that is connected replaces those of files.':
+    '组成被观察的场景。连接的天空或全景图会取代文件中的天空。',
+  Panorama: '全景图',
+  'A picture of all directions as surroundings at infinity, which also shine on things: by latitude and longitude, or six faces of a cube. It replaces the sky of the files in Scene.':
+    '以一张包含所有方向的图片作为无穷远处的环境，它也照亮物体：按经纬度展开，或立方体的六个面。在“场景”中它取代文件的天空。',
+  'A picture twice as wide as high, or of six square faces: PNG, JPEG, WebP, AVIF, Radiance (.hdr) or OpenEXR. Of a scene its dome is taken.':
+    '宽为高两倍的图片，或六个正方形面组成的图片：PNG、JPEG、WebP、AVIF、Radiance（.hdr）或 OpenEXR。若为场景文件，则取其天穹。',
+  'Turns the surroundings to the left, about the zenith.': '使环境绕天顶向左转动。',
+  Tilt: '倾斜',
+  'Raises what is in the middle of the picture, before it is turned.': '在转动之前，抬高图片中央的内容。',
+  'The axis of the scene that points to the upper edge of the picture.': '场景中指向图片上边缘的轴。',
+  'A factor of the picture’s light.': '图片光亮的倍数。',
+  'Its colours are': '颜色解释为',
+  'Spectra of the picture’s colours, which determine them after a Doppler shift. A sky: white, blue scattered and red transmitted daylight, and a filter for the rest. A filter: of a light of the spectrum below, or of a connected one.':
+    '图片颜色所代表的光谱，它决定多普勒频移后的颜色。天空：白色日光、散射的蓝光、透射的红光，其余为滤光片。滤光片：置于下面所选光谱或所连接光谱的光之前。',
+  'Those of a sky': '天空的光谱',
+  'A filter before a light': '光源前的滤光片',
+  'no picture is chosen; name one': '未选择图片；请指定一张',
+  '{} has no surroundings; name a panorama': '{1} 没有环境；请指定一张全景图',
   'Relativity console': '相对论控制台',
   'How light travels, and the speed limits.': '光如何传播，以及你能多快。',
   Camera: '相机',
