@@ -22,9 +22,10 @@ import type { HalfAtlas, HalfTable, HalfTexels } from '../../../shaders/tables/h
 import type { Float, Vec2, Vec3 } from '../../../shaders/types.ts';
 import { uploadTexture } from '../../gpu/textures.ts';
 import { domeMipmaps } from './domeMipmaps.ts';
+import { MEAN_SIZE, pictureMeans } from './pictureMeans.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
 import type { SkyMeans } from './skyLobe.ts';
-import { MEAN_RAPIDITIES, MEAN_SIZE, pictureMeans } from './skyMeans.ts';
+import { MEAN_RAPIDITIES } from './skyMeans.ts';
 
 /** A dome's texture on the GPU, with its prefiltered maps for diffuse and glossy surfaces. */
 export class DomeTexture {
@@ -55,7 +56,7 @@ export class DomeTexture {
     return this.sampleImage(this.place(n), log2(max(texels, 1)));
   }
 
-  /** `SkyMeans` by the tables of skyMeans.ts. */
+  /** `SkyMeans` by the tables of pictureMeans.ts. */
   meansAbout(axis: Vec3, rapidity: Float, direction: Vec3): ReturnType<SkyMeans> {
     const { first, step, count } = MEAN_RAPIDITIES;
     const place = this.place(axis).toVar();
