@@ -53,7 +53,7 @@ function means(flight: PanoramaFlight, at: (n: Vec3) => number): { readonly pixe
       let mean = 0;
       for (let k = 0; k < 64; k++) {
         const [dx, dy] = [((k % 8) + 0.5) / 8, (Math.floor(k / 8) + 0.5) / 8];
-        mean += at(normalize(cameraRay(view, SETTINGS, x + dx, y + dy, W, H).dx)) / 64;
+        mean += at(normalize(cameraRay(view, SETTINGS, x + dx, y + dy, W, H)!.dx)) / 64;
       }
       found.push({ pixel: y * W + x, mean });
     }

@@ -6,7 +6,7 @@ import type { SceneRenderer } from '../../../src/render/renderer.ts';
 import { directionFromLatLong } from '../../../src/scene/lights/latLong.ts';
 import type { DomeLight, RadianceTexture } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
-import { perspective } from '../../../src/scene/view/lens.ts';
+import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { GREY, lit } from '../../support/lightKit.ts';
 
