@@ -8,7 +8,7 @@ export type PanoramaPicture = Pick<Texture | RadianceTexture, 'width' | 'height'
  * A face of a cube as it is seen from inside, upright: a square part of a picture [px]. `turned`: by half a turn, as the last one of a cross that is higher
  * than wide.
  */
-export interface CubeFace {
+export interface FacePicture {
   readonly picture: PanoramaPicture;
   readonly left: number;
   readonly top: number;
@@ -17,7 +17,7 @@ export interface CubeFace {
 }
 
 /** Right, left, up, down, ahead, behind: +x, −x, +y, −y, +z, −z of a left-handed cube, as in OpenGL (4.6, table 8.19). */
-export type CubeFaces = readonly [CubeFace, CubeFace, CubeFace, CubeFace, CubeFace, CubeFace];
+export type CubeFaces = readonly [FacePicture, FacePicture, FacePicture, FacePicture, FacePicture, FacePicture];
 
 /** A place on a face: u to the right and v down, 0 … 1. */
 export interface FacePlace {
@@ -40,18 +40,18 @@ export function facePlace([x, y, z]: Vec3): FacePlace {
 }
 
 /** Column and row of each face in a picture of so many columns and rows of cells. */
-interface CubeLayout {
+interface FaceLayout {
   readonly columns: number;
   readonly rows: number;
   readonly cells: readonly (readonly [column: number, row: number])[];
   readonly lastTurned?: true;
 }
 
-const inRows = (columns: number): CubeLayout['cells'] =>
+const inRows = (columns: number): FaceLayout['cells'] =>
   Array.from({ length: 6 }, (_, i) => [i % columns, Math.floor(i / columns)] as const);
 
 /** Strips and grids have the faces in their order; a cross is an unfolded cube, with its sides in the second row, or its middle in the second column. */
-const LAYOUTS: readonly CubeLayout[] = [
+const LAYOUTS: readonly FaceLayout[] = [
   { columns: 6, rows: 1, cells: inRows(6) },
   { columns: 1, rows: 6, cells: inRows(1) },
   { columns: 3, rows: 2, cells: inRows(3) },
