@@ -6,7 +6,7 @@ it('selects the least nested scene, or the only file', () => {
   expect(entryOf(['a/body.obj', 'a/car.usda'])).toBe('a/car.usda');
   expect(entryOf(['a/body.obj', 'a/b/car.usda'])).toBe('a/body.obj');
   expect(entryOf(['odd.xyz'])).toBe('odd.xyz');
-  expect(entryOf(['a.txt', 'b.png'])).toBeUndefined();
+  expect(entryOf(['a.txt', 'b.md'])).toBeUndefined();
   expect(entryOf([])).toBeUndefined();
 });
 

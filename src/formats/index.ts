@@ -1,6 +1,6 @@
 /**
- * Files of scenes and pictures: USD, glTF, OBJ, PLY, STL; PNG, JPEG, EXR; zips; how pictures and MP4 films cover the sphere. Readers throw an `InputError` that
- * names file, place and value.
+ * Files of scenes and pictures: USD, glTF, OBJ, PLY, STL; panoramas; PNG, JPEG, EXR; zips; how pictures and MP4 films cover the sphere. Readers throw an
+ * `InputError` that names file, place and value.
  *
  * @module slowlight/formats
  */
@@ -15,7 +15,7 @@ export type { DecodePicture, ForeignKind } from './image/foreignPictures.ts';
 export { readExr, type SizeCheck } from './image/readExr.ts';
 export { type OpenOptions, openScene } from './open.ts';
 export type { Interpolation, ReadOptions } from './readOptions.ts';
-export { formatOf, type SceneFormat, sceneFormats } from './registry.ts';
+export { formatOf, panoramaFormat, type SceneFormat, sceneFormats } from './registry.ts';
 export { saveScene } from './save.ts';
 export { type FileEdit, sphericalMp4Edit, withSphericalMp4 } from './spherical/sphericalMp4.ts';
 export { sphericalOf } from './spherical/sphericalOf.ts';

@@ -16,7 +16,7 @@ describe('openScene', () => {
     ['a.blend', /^a\.blend: \.blend is not a scene format that can be opened; .*glTF \(\.gltf, \.glb\).* can$/],
     ['a.slowlight.json', /^a\.slowlight\.json: this is a project, not a scene; render, .* \?project=/],
     ['scene', /^scene: the name has no extension; /],
-    ['b.gltf', /^b\.gltf: no such file; there is good\.gltf, empty\.glb$/],
+    ['b.gltf', /^b\.gltf: no such file; there is empty\.glb, good\.gltf$/],
     ['empty.glb', /^empty\.glb: the file is empty \(0 bytes\); export or copy it again$/],
   ])('%s: rejected with a remedy', async (path, message) => {
     const files = memorySource({ 'a.blend': empty, 'good.gltf': empty, 'empty.glb': new Uint8Array(0), scene: empty });

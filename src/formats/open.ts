@@ -3,10 +3,11 @@ import { messageOf } from '../messages/messageError.ts';
 import { matchesPath } from '../scene/compose/mergeScenes.ts';
 import { InputError, type Scene } from '../scene/types.ts';
 import { formatBytes, inputError } from './diagnostics/inputError.ts';
+import { scenesIn } from './entry.ts';
 import { dotted, extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
 import { sanitizeScene } from './read/sanitize.ts';
 import type { ReadOptions } from './readOptions.ts';
-import { formatOf, sceneFormats } from './registry.ts';
+import { formatOf, panoramaFormat, sceneFormats } from './registry.ts';
 
 /** How a scene is read, and how much of it at most. */
 export interface OpenOptions extends ReadOptions {
@@ -66,7 +67,7 @@ function unknownFormat(path: string): InputError {
     const use = msg`render, simulate and graph check take it, and the page opens it at ?project=…`;
     return inputError('file.unknown-format', path, msg`this is a project, not a scene; ${use}`);
   }
-  const known = listed(sceneFormats.map((f) => msg`${f.name} (${dotted(f.extensions)})`));
+  const known = listed([...sceneFormats, panoramaFormat].map((f) => msg`${f.name} (${dotted(f.extensions)})`));
   const extension = extensionOf(path);
   const message = extension
     ? msg`.${extension} is not a scene format that can be opened; ${known} can`
@@ -75,7 +76,7 @@ function unknownFormat(path: string): InputError {
 }
 
 async function missingFile(files: FileSource, path: string): Promise<InputError> {
-  const known = (await files.list?.())?.filter((file) => formatOf(file)) ?? [];
+  const known = scenesIn((await files.list?.()) ?? []);
   const message =
     known.length > 0
       ? msg`no such file; there is ${listed(known.slice(0, 5))}`

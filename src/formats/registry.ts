@@ -60,6 +60,19 @@ export const sceneFormats: readonly SceneFormat[] = [
 ];
 
 /**
+ * Pictures of all directions, which are scenes too. Not one of `sceneFormats`, since most pictures among files are textures of a scene beside them.
+ * @example
+ * panoramaFormat.extensions.includes('hdr'); // true
+ */
+export const panoramaFormat: SceneFormat = {
+  id: 'panorama',
+  name: 'Panorama',
+  shortName: 'panorama',
+  extensions: ['hdr', 'exr', 'png', 'jpg', 'jpeg', 'webp', 'avif'],
+  read: async (source, entry, options) => (await import('./panorama/index.ts')).readPanorama(source, entry, options),
+};
+
+/**
  * The format by a path's extension; undefined if unsupported.
  * @example
  * formatOf('models/Chair.GLB')!.id; // 'gltf'
@@ -67,5 +80,5 @@ export const sceneFormats: readonly SceneFormat[] = [
  */
 export function formatOf(path: string): SceneFormat | undefined {
   const extension = extensionOf(path);
-  return sceneFormats.find((format) => format.extensions.includes(extension));
+  return [...sceneFormats, panoramaFormat].find(({ extensions }) => extensions.includes(extension));
 }

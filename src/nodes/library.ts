@@ -2,6 +2,7 @@ import type { Registry } from '../graph/nodeType.ts';
 import { cameraNode } from './composition/camera.ts';
 import { lampNode } from './composition/lamp.ts';
 import { observerNode } from './composition/observer.ts';
+import { panoramaNode } from './composition/panorama.ts';
 import { relativityConsoleNode } from './composition/relativityConsole.ts';
 import { sceneNode } from './composition/scene.ts';
 import { skyNode } from './composition/sky.ts';
@@ -105,6 +106,7 @@ const types = [
   sunNode,
   lampNode,
   skyNode,
+  panoramaNode,
   spectrumNode,
   cameraNode,
   observerNode,

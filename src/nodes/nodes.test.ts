@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { utilityProject } from '../../tests/support/exampleGraphs.ts';
+import { panoramaProject, utilityProject } from '../../tests/support/exampleGraphs.ts';
 import { saying } from '../../tests/support/inWords.ts';
 import { validateDocument } from '../graph/analysis/validate.ts';
 import type { ParamValue } from '../graph/document/document.ts';
@@ -85,10 +85,13 @@ describe('the library', () => {
     }
   });
 
-  it('every node is used by an example project, a flight, or the utility example', () => {
+  it('every node is used by an example project, a flight, or the examples of tests', () => {
     const examples = readdirSync(folder).filter((name) => name.endsWith('.slowlight.json'));
     const projects = examples.map((name) => parseDocument(readFileSync(new URL(name, folder), 'utf8')));
-    const levels = [utilityProject(), ...projects].flatMap((project) => [project, ...Object.values(project.groups)]);
+    const levels = [utilityProject(), panoramaProject(), ...projects].flatMap((project) => [
+      project,
+      ...Object.values(project.groups),
+    ]);
     const used = levels.flatMap(({ nodes }) => Object.values(nodes).map(({ type }) => type));
     expect([...new Set(used)].sort()).toEqual(Object.keys(nodeLibrary).sort());
   });

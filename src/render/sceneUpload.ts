@@ -70,14 +70,14 @@ export class SceneUpload {
     uniforms: FrameUniforms,
     gpu: Gpu,
     options: RendererOptions,
-    { Layered, StarPoints: Stars }: SceneParts,
+    { Layered, StarPoints: Stars, DomeTexture }: SceneParts,
   ) {
     const { scene } = buffers;
     this.buffers = buffers;
     this.hasUnlit = scene.materials.some(({ unlit }) => unlit);
     this.materials = this.table.part(scene.materials.length * MATERIAL_TEXELS);
     this.layered = Layered && new Layered(scene, this.table, buffers.textures);
-    this.environment = new Environment(scene, this.table, this.atlas);
+    this.environment = new Environment(scene, this.table, this.atlas, DomeTexture);
     const nightSky = sceneNightSky(scene);
     this.stars = nightSky && Stars && new Stars(nightSky, uniforms, gpu);
     this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });

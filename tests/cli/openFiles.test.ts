@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { decode } from 'fast-png';
 import { zipSync } from 'fflate';
 import { expect, test } from 'vitest';
+import { encodePng } from '../../src/formats/image/encodePng.ts';
 import type { VariantSet } from '../../src/scene/types.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { outputFolder, slowlight, slowlightJson } from './program.ts';
@@ -42,6 +43,22 @@ test('a zip opens its first scene, or any other by name', async () => {
   expect((await slowlight(...picture, '--pipeline', 'reference', '--samples', '1')).code).toBe(0);
   const missing = await slowlight('inspect', `${at('set.zip')}[no.usda]`);
   expect([missing.code, missing.err]).toEqual([3, expect.stringMatching(/no such file; there is .*car\.usda/)]);
+});
+
+test('a panorama is a scene, which becomes a dome; six faces in a zip are one', async () => {
+  const picture = encodePng(32, 16, new Uint8Array(4 * 32 * 16).fill(200));
+  writeFileSync(at('sky.png'), picture);
+  const drawn = ['render', at('sky.png'), '-o', at('sky-seen.png'), '--size', '32x24', '--beta', '0,0,-0.9'];
+  expect((await slowlight(...drawn, '--pipeline', 'reference', '--samples', '1')).code).toBe(0);
+  expect((await slowlight('convert', at('sky.png'), at('sky.usda'))).code).toBe(0);
+  expect(readFileSync(at('sky.usda'), 'utf8')).toContain('inputs:texture:file = @textures/sky.png@');
+  const names = ['right', 'left', 'top', 'bottom', 'front', 'back'];
+  const face = encodePng(4, 4, new Uint8Array(64).fill(255));
+  writeFileSync(at('faces.zip'), zipSync(Object.fromEntries(names.map((name) => [`cube/${name}.png`, face]))));
+  expect((await slowlightJson<Inspection>('inspect', at('faces.zip'))).diagnostics).toEqual([]);
+  writeFileSync(at('photo.png'), face);
+  const refused = await slowlight('inspect', at('photo.png'));
+  expect([refused.code, refused.err]).toEqual([3, expect.stringMatching(/4 × 4 pixels, and no panorama/)]);
 });
 
 test('a zip without a scene, a file that is no zip and a missing one are rejected', async () => {

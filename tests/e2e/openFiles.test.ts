@@ -3,6 +3,7 @@ import { EXTTextureWebP, KHRTextureBasisu } from '@gltf-transform/extensions';
 import { zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { encodePng } from '../../src/formats/image/encodePng.ts';
 import { PINK_WEBP } from '../formats/pictures.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { solidKtx2 } from '../support/ktx2Kit.ts';
@@ -164,6 +165,23 @@ describe('opening files', () => {
     await warning.waitFor();
     await openCar(visit);
     await expect.poll(() => warning.count()).toBe(0);
+  });
+
+  it('a panorama is seen all around, and a photograph is refused', async () => {
+    // Red ahead, grey elsewhere.
+    const pixels = Uint8Array.from({ length: 4 * 256 * 128 }, (_, i) => {
+      if (i % 4 === 3) return 255;
+      const isAhead = Math.abs(((i >> 2) % 256) - 128) < 32;
+      return isAhead ? 255 * Number(i % 4 === 0) : 90;
+    });
+    const visit = await opened();
+    await visit.opens(() => drop(visit, [{ name: 'sky.png', content: Buffer.from(encodePng(256, 128, pixels)) }]));
+    await expect.poll(async () => (await visit.middle()).slice(0, 2)).toSatisfy(([r, g]) => r > 200 && g < 100);
+    expect(await visit.page.getByText(/^There are no objects/).count()).toBe(0);
+    await drop(visit, [{ name: 'photo.png', content: CHECKER.content }]);
+    await visit.refusals.waitFor();
+    expect(await visit.refusals.textContent()).toMatch(/photo\.png.*no panorama; one is twice as wide as high/);
+    await visit.refusals.getByRole('button', { name: 'Close' }).click();
   });
 
   it('missing files of a scene on the server can be supplied too', async () => {

@@ -2,6 +2,7 @@ import type { ClaimGroup } from './claim.ts';
 import { containerGroups } from './containers.ts';
 import { gltfGroups } from './gltf.ts';
 import { objGroups } from './obj.ts';
+import { panoramaGroups } from './panorama.ts';
 import { plyGroups } from './ply.ts';
 import { stlGroups } from './stl.ts';
 import { usdGroups } from './usd.ts';
@@ -20,5 +21,6 @@ export const chapters: readonly FormatChapter[] = [
   { title: 'Wavefront OBJ', guide: 'meshes.md', groups: objGroups },
   { title: 'PLY', guide: 'meshes.md', groups: plyGroups },
   { title: 'STL', guide: 'meshes.md', groups: stlGroups },
+  { title: 'Panoramas', guide: 'surroundings.md', groups: panoramaGroups },
   { title: 'Pictures and archives', groups: containerGroups },
 ];

@@ -1,5 +1,5 @@
 import { DIAGNOSTIC_CODES, type DiagnosticCode } from '../../src/formats/diagnostics/diagnosticCodes.ts';
-import { sceneFormats } from '../../src/formats/registry.ts';
+import { panoramaFormat, sceneFormats } from '../../src/formats/registry.ts';
 import { writtenExtensions } from '../../src/formats/save.ts';
 import type { ClaimGroup, FormatClaim } from './claim.ts';
 import { chapters } from './formatClaims.ts';
@@ -48,7 +48,7 @@ export function page(): string {
 
 function fileTable(): string {
   const dots = (extensions: readonly string[]): string => extensions.map((e) => `\`.${e}\``).join(', ');
-  const rows = sceneFormats.map(({ name, extensions }) => {
+  const rows = [...sceneFormats, panoramaFormat].map(({ name, extensions }) => {
     const written = writtenExtensions.filter((e) => extensions.includes(e));
     return [name, dots(extensions), written.length > 0 ? dots(written) : '–'];
   });

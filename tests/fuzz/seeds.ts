@@ -66,9 +66,18 @@ export async function seeds(): Promise<Seed[]> {
     seed('wood.png', PICTURE['wood.png'], false),
     seed('wood.jpg', jpeg(), false),
     seed('channels.exr', exr(), false),
+    seed('sky.hdr', panorama(), false),
     ktx2Seed('etc1s.ktx2', 'rgba-mipmap-reference-basis.ktx2'),
     ktx2Seed('uastc.ktx2', 'luminance_alpha_reference_uastc.ktx2'),
   ];
+}
+
+/** Six faces of 8 × 8 pixels in a strip, run-length encoded. */
+function panorama(): Uint8Array {
+  const component = (value: number): number[] => [128 + 48, value];
+  const row = [2, 2, 0, 48, ...[200, 100, 50, 129].flatMap(component)];
+  const header = new TextEncoder().encode('#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 48\n');
+  return Uint8Array.from([...header, ...Array.from({ length: 8 }, () => row).flat()]);
 }
 
 /** A picture of the codec's tests, on a triangle. */

@@ -5,6 +5,15 @@ import { nodeLibrary } from '../../src/nodes/library.ts';
 import { flyCommand, newProject } from '../../src/nodes/project/projectCommands.ts';
 import { add, connect, edited, set } from './graphKit.ts';
 
+/** A file under a panorama, with parameters of the node. */
+export const panoramaProject = (params: Readonly<Record<string, number | string | boolean>> = {}): GraphDocument =>
+  edited(
+    newProject('box.usda'),
+    add('panorama', 'panorama', [0, 400]),
+    ...Object.entries(params).map(([param, value]) => set('panorama', param, value)),
+    connect('panorama.lights', 'scene.lights.1'),
+  );
+
 /** A house that passes at γ = 1.25, with exposure chosen by nodes: every utility node affects the picture. */
 export function utilityProject(): GraphDocument {
   const flying = applyCommand(newProject('a.usda'), flyCommand(newProject('a.usda'), '/House', 0)).document;

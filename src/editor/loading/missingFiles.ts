@@ -1,4 +1,5 @@
 import { scenesIn } from '../../formats/entry.ts';
+import { formatOf, panoramaFormat } from '../../formats/registry.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 
 const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1).toLowerCase();
@@ -23,5 +24,6 @@ export function suppliesMissingFiles(paths: readonly string[], { name, missing, 
   const wanted = new Set(missing.map(baseName));
   const isOther = (scene: string): boolean => !wanted.has(baseName(scene)) && baseName(scene) !== baseName(name);
   if (scenesIn(paths).some(isOther)) return false;
-  return failed || paths.some((path) => wanted.has(baseName(path)));
+  // What is a picture itself lacks no others, unless they are its other faces, which are opened with it.
+  return (failed && formatOf(name) !== panoramaFormat) || paths.some((path) => wanted.has(baseName(path)));
 }

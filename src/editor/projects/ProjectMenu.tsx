@@ -93,7 +93,7 @@ function OpenItems({ onFile, onFolder }: { readonly onFile: () => void; readonly
       <Menu.Item leftSection={<IconFolder size={15} />} onClick={onFolder}>
         {t(msg`Open folder…`)}
       </Menu.Item>
-      <Menu.Label>{t(msg`Projects; ${FORMAT_NAMES}; a folder or a zip where it has textures`)}</Menu.Label>
+      <Menu.Label>{t(msg`Projects; ${FORMAT_NAMES}; panoramas; a folder or a zip where it has textures`)}</Menu.Label>
     </>
   );
 }

@@ -2,6 +2,7 @@ import { Button, Notification, Stack, Text } from '@mantine/core';
 import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
 import { type ReactNode, useEffect } from 'react';
 import { inEnglish, type Message, msg } from '../../messages/message.ts';
+import { isDomeLight } from '../../scene/lights/lightKinds.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import { placeTitle } from '../panels/nodeTitle.ts';
@@ -56,7 +57,7 @@ function useSceneNotices(): void {
         msg`Missing files: ${missing.length} (${files}). What needs them is left out or grey. Drop them on the page, or the folder that contains all of them.`,
       );
     }
-    if (scene.objects.length === 0)
+    if (scene.objects.length === 0 && !scene.lights.some((light) => isDomeLight(light) && light.texture))
       return warn(
         msg`There are no objects in ${sceneName(source)}, so only the sky is visible. Check what was exported; the Scene panel may say more.`,
       );

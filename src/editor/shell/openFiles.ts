@@ -40,7 +40,7 @@ async function take(files: UserFiles, editor: Editor, localFiles: LocalFiles): P
   else if (files.size > 0)
     editor.notify({
       kind: 'error',
-      text: msg`None of these files is a scene. Drop a ${ANY_FORMAT} file, or a folder or zip that contains one.`,
+      text: msg`None of these files is a scene. Drop a ${ANY_FORMAT} file, a panorama, or a folder or zip that contains one.`,
     });
 }
 

@@ -28,6 +28,10 @@ export const DIAGNOSTIC_CODES = {
   'image.unknown-format': 'an image that is neither PNG nor JPEG',
   'image.unsupported': 'an unsupported kind of OpenEXR or Radiance image',
 
+  'panorama.size': 'a picture that is no panorama by its size',
+  'panorama.faces': 'faces of a cube of which one is missing or of another size',
+  'panorama.edges': 'a picture of 3:2 whose parts do not fit together as faces of a cube',
+
   'zip.damaged': 'an archive that is damaged or truncated',
   'zip.zip64': 'an archive in the Zip64 format for more than 4 GiB',
   'zip.parts': 'one part of a multi-part archive',

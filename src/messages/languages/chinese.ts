@@ -1009,6 +1009,15 @@ const messages: Translation['messages'] = {
   'the picture is {}; convert it to PNG or JPEG': '图片{1}；请转换为 PNG 或 JPEG',
   'neither PNG nor JPEG': '既不是 PNG，也不是 JPEG',
   '{}, which is not read': '是 {1}，无法读取',
+  'it is taken for a grid of 3 × 2 faces of a cube, by its aspect ratio, but their edges do not meet: if it is a photograph, it is no panorama':
+    '按宽高比它被当作 3 × 2 排列的立方体六个面，但各面的边缘不衔接：如果它是照片，就不是全景图',
+  'the picture is {} × {} pixels, and no panorama': '图片为 {1} × {2} 像素，不是全景图',
+  'one is twice as wide as high, or has six square faces: in a strip (6:1 or 1:6), a grid (3:2) or a cross (4:3 or 3:4, with empty corners), or in six files such as px.png, nx.png, py.png, ny.png, pz.png, nz.png':
+    '全景图的宽应为高的两倍，或由六个正方形面组成：条状（6:1 或 1:6）、网格（3:2）、十字形（4:3 或 3:4，四角为空），或六个文件，例如 px.png、nx.png、py.png、ny.png、pz.png、nz.png',
+  'it is one of the six faces of a cube by its name, but there is no {}; open all six together':
+    '按文件名它是立方体六个面之一，但缺少 {1}；请同时打开六个文件',
+  'the faces of a cube must be squares of one size and kind, but {} has {} × {} pixels and {} has {} × {}':
+    '立方体的各面必须是大小和类型相同的正方形，但 {1} 为 {2} × {3} 像素，而 {4} 为 {5} × {6}',
   'the picture is {} × {} pixels, {}; scale it': '图片为 {1} × {2} 像素，{3}；请缩放',
   '1 to {} a side and at most {} Mi pixels are read': '而可读取的每边为 1 至 {1} 像素，总共至多 {2} Mi 像素',
   '1 to {} a side and at most {} Mi pixels are read of such pictures':
@@ -1256,9 +1265,9 @@ const messages: Translation['messages'] = {
   'a type': '类型',
   // ———— Graph, nodes, dynamics, scenes, the page ————
   'Reads a scene file: {}.': '读取场景文件：{1}。',
-  'None of these files is a scene. Drop a {} file, or a folder or zip that contains one.':
-    '这些文件中没有场景。请拖入 {1} 文件，或含有它们的文件夹或 zip。',
-  'Projects; {}; a folder or a zip where it has textures': '项目；{1}；带贴图时请选文件夹或 zip',
+  'None of these files is a scene. Drop a {} file, a panorama, or a folder or zip that contains one.':
+    '这些文件中没有场景。请拖入 {1} 文件、全景图，或含有它们的文件夹或 zip。',
+  'Projects; {}; panoramas; a folder or a zip where it has textures': '项目；{1}；全景图；带贴图时请选文件夹或 zip',
   'The lower it is, the stronger relativistic effects are. In nature: {} m/s.':
     '越低，相对论效应越明显。真实光速：{1} m/s。',
   circle: '圆周',
@@ -2234,7 +2243,25 @@ const messages: Translation['messages'] = {
   'Makes an object, with everything below it, fly along a straight line. Rigid objects keep their pose and lose their own motion; deforming objects keep deforming, and its velocity is added to theirs in the world frame.':
     '让物体及其下属部分沿直线飞行。刚体保持姿态、不再有原来的运动；形变物体继续形变，其速度在世界参考系中与飞行速度相加。',
   Scene: '场景',
-  'Composes what is observed.': '组成被观察的场景。',
+  'Composes what is observed. A sky or panorama that is connected replaces those of files.':
+    '组成被观察的场景。连接的天空或全景图会取代文件中的天空。',
+  Panorama: '全景图',
+  'A picture of all directions as surroundings at infinity, which also shine on things: by latitude and longitude, or six faces of a cube. It replaces the sky of the files in Scene.':
+    '以一张包含所有方向的图片作为无穷远处的环境，它也照亮物体：按经纬度展开，或立方体的六个面。在“场景”中它取代文件的天空。',
+  'A picture twice as wide as high, or of six square faces: PNG, JPEG, WebP, AVIF, Radiance (.hdr) or OpenEXR. Of a scene its dome is taken.':
+    '宽为高两倍的图片，或六个正方形面组成的图片：PNG、JPEG、WebP、AVIF、Radiance（.hdr）或 OpenEXR。若为场景文件，则取其天穹。',
+  'Turns the surroundings to the left, about the zenith.': '使环境绕天顶向左转动。',
+  Tilt: '倾斜',
+  'Raises what is in the middle of the picture, before it is turned.': '在转动之前，抬高图片中央的内容。',
+  'The axis of the scene that points to the upper edge of the picture.': '场景中指向图片上边缘的轴。',
+  'A factor of the picture’s light.': '图片光亮的倍数。',
+  'Its colours are': '颜色解释为',
+  'Spectra of the picture’s colours, which determine them after a Doppler shift. A sky: white, blue scattered and red transmitted daylight, and a filter for the rest. A filter: of a light of the spectrum below, or of a connected one.':
+    '图片颜色所代表的光谱，它决定多普勒频移后的颜色。天空：白色日光、散射的蓝光、透射的红光，其余为滤光片。滤光片：置于下面所选光谱或所连接光谱的光之前。',
+  'Those of a sky': '天空的光谱',
+  'A filter before a light': '光源前的滤光片',
+  'no picture is chosen; name one': '未选择图片；请指定一张',
+  '{} has no surroundings; name a panorama': '{1} 没有环境；请指定一张全景图',
   'Relativity console': '相对论控制台',
   'How light travels, and the speed limits.': '光如何传播，以及你能多快。',
   Camera: '相机',
@@ -3282,8 +3309,8 @@ const messages: Translation['messages'] = {
   'Expected PRIM=X,Y,Z or PRIM=X,Y,Z@T, like /World/Car=0.8,0,0@2.':
     '应写为 PRIM=X,Y,Z 或 PRIM=X,Y,Z@T，例如 /World/Car=0.8,0,0@2。',
   // Scenes and motions
-  '{} file; or a .zip with one, set.zip[scene.usda] to choose one of several':
-    '{1} 文件；或含有此类文件的 .zip，有多个时以 set.zip[scene.usda] 选择',
+  '{} file; a panorama (a picture); or a .zip with one, set.zip[scene.usda] to choose one of several':
+    '{1} 文件；全景图（图片）；或含有此类文件的 .zip，有多个时以 set.zip[scene.usda] 选择',
   "select a variant, as listed by inspect: '/World/Car{paint}=red'; repeatable":
     "选择变体，写法如 inspect 所列：'/World/Car{paint}=red'；可重复",
   'glTF: animation to play, by name or index from 0 (default: the first)':

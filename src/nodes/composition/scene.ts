@@ -1,6 +1,7 @@
 import { msg } from '../../messages/message.ts';
 import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
 import { makeScene } from '../../scene/defaults.ts';
+import { isDomeLight } from '../../scene/lights/lightKinds.ts';
 import type { Light, Scene } from '../../scene/types.ts';
 import { framingCamera } from '../../scene/view/camera.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
@@ -14,7 +15,7 @@ import type { TimeRange } from '../socketValues.ts';
 export const sceneNode = defineNode({
   id: 'scene',
   title: msg`Scene`,
-  help: msg`Composes what is observed.`,
+  help: msg`Composes what is observed. A sky or panorama that is connected replaces those of files.`,
   category: 'composition',
   params: {},
   inputs: {
@@ -27,7 +28,9 @@ export const sceneNode = defineNode({
   evaluate({ geometry, lights, observer, time }) {
     const [only] = geometry;
     const plain = geometry.length === 1 && lights.length === 0 && !time;
-    const merged = mergeScenes([...geometry.map((part) => part.scene), ...lights.map(lightScene)]);
+    const hasSky = lights.flat().some(isDomeLight);
+    const parts = geometry.map(({ scene }) => (hasSky ? withoutDomes(scene) : scene));
+    const merged = mergeScenes([...parts, ...lights.map(lightScene)]);
     const timed = withTimeRange(merged, time);
     const hinted = observer ? { ...timed, hints: { ...timed.hints, beta: observer } } : timed;
     const viewed = hinted.cameras.length > 0 ? hinted : { ...hinted, cameras: [framingCamera(hinted)] };
@@ -36,6 +39,12 @@ export const sceneNode = defineNode({
 });
 
 const lightScene = (lights: readonly Light[]): Scene => makeScene({ name: 'lights', lights });
+
+/** A sky that is connected is seen in place of those of files. */
+const withoutDomes = (scene: Scene): Scene => ({
+  ...scene,
+  lights: scene.lights.filter((light) => !isDomeLight(light)),
+});
 
 function withTimeRange(scene: Scene, time: TimeRange | undefined): Scene {
   if (!time) return scene;

@@ -16,6 +16,7 @@ import type { LitSurface } from './kinds/litSurface.ts';
 import { CosmicBackground } from './kinds/nightSky.ts';
 import type { LightReach, LightSet, SkyPixel } from './lightSet.ts';
 import { LightTable } from './lightTable.ts';
+import type { DomeTexture } from './sky/domeTexture.ts';
 
 /** All light sources of a scene. */
 export class Environment {
@@ -29,15 +30,15 @@ export class Environment {
   /** In the order in which what surfaces reflect of them is added. */
   private readonly sets: { readonly [R in LightReach]: LightSet };
 
-  /** `table` and `atlas` are read by the scene's shaders; upload `table` after `update`. */
-  constructor(scene: Scene, table: FloatTable, atlas: HalfAtlas) {
+  /** `table` and `atlas` are read by the scene's shaders; upload `table` after `update`. `Picture`: for a dome with a picture. */
+  constructor(scene: Scene, table: FloatTable, atlas: HalfAtlas, Picture?: typeof DomeTexture) {
     this.lobes = lobeTable(atlas);
     const lines = new LineTable(table);
     const direct = directLights(scene);
     const colored = coloredLights(scene);
     this.distantLights = new DistantLightTable(direct.filter(isDistantLight), colored, lines, table);
     this.localLights = new LightTable(direct.filter(isLocalLight), colored, lines, table);
-    this.sky = new DomeSky(sceneDome(scene), lines, atlas);
+    this.sky = new DomeSky(sceneDome(scene), lines, atlas, Picture);
     this.showsDome = showsDome(scene);
     this.sets = {
       distant: this.distantLights,

@@ -21,7 +21,7 @@ import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { loopTimes } from '../../shadows/atlas/atlasLookups.ts';
 import type { LightSet, SkyPixel } from '../lightSet.ts';
 import { incidentSpectrumBetween, type RestFrameMotion, WORLD_FRAME } from '../restFrame.ts';
-import { DomeTexture } from '../sky/domeTexture.ts';
+import type { DomeTexture } from '../sky/domeTexture.ts';
 import { type LobeCone, type SkyMeans, skyLobe } from '../sky/skyLobe.ts';
 import { GRADIENT_HEIGHTS, gradientMeans, MEAN_RAPIDITIES } from '../sky/skyMeans.ts';
 import type { LitSurface } from './litSurface.ts';
@@ -54,7 +54,8 @@ export class DomeSky implements LightSet {
   private readonly atlas: HalfAtlas;
   private colorMode: ColorMode | undefined;
 
-  constructor(dome: DomeLight, lines: LineTable, atlas: HalfAtlas) {
+  /** `Picture`: for a dome with a picture. */
+  constructor(dome: DomeLight, lines: LineTable, atlas: HalfAtlas, Picture?: typeof DomeTexture) {
     const sourceOf = (light: Pick<DomeLight, 'spectrum'>): SpectralSource => {
       const [x, y] = spectrumParametersOf(light, lines);
       return spectralSourceOf(domeSpectrumKind(dome), [float(x), float(y)], lines) ?? SKY_SOURCE;
@@ -65,7 +66,7 @@ export class DomeSky implements LightSet {
     })) ?? [{ source: sourceOf(dome) }];
     this.dome = dome;
     this.atlas = atlas;
-    if (dome.texture) this.texture = new DomeTexture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);
+    if (dome.texture && Picture) this.texture = new Picture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);
   }
 
   /** Diffuse and specular reflection, times ambient occlusion and the material's own occlusion. */

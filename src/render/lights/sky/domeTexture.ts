@@ -21,9 +21,11 @@ import type { DomeLight } from '../../../scene/types.ts';
 import type { HalfAtlas, HalfTable, HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
 import type { Float, Vec2, Vec3 } from '../../../shaders/types.ts';
 import { uploadTexture } from '../../gpu/textures.ts';
+import { domeMipmaps } from './domeMipmaps.ts';
+import { MEAN_SIZE, pictureMeans } from './pictureMeans.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
 import type { SkyMeans } from './skyLobe.ts';
-import { MEAN_RAPIDITIES, MEAN_SIZE, pictureMeans } from './skyMeans.ts';
+import { MEAN_RAPIDITIES } from './skyMeans.ts';
 
 /** A dome's texture on the GPU, with its prefiltered maps for diffuse and glossy surfaces. */
 export class DomeTexture {
@@ -37,6 +39,8 @@ export class DomeTexture {
   /** `tint`: factor of its colours. */
   constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3, atlas: HalfAtlas) {
     this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' }, false);
+    this.image.mipmaps = [...domeMipmaps(picture)];
+    this.image.generateMipmaps = false;
     const maps = prefilterDome(picture);
     this.layers = maps.length;
     this.maps = atlas.table('dome', () => stacked(maps));
@@ -52,7 +56,7 @@ export class DomeTexture {
     return this.sampleImage(this.place(n), log2(max(texels, 1)));
   }
 
-  /** `SkyMeans` by the tables of skyMeans.ts. */
+  /** `SkyMeans` by the tables of pictureMeans.ts. */
   meansAbout(axis: Vec3, rapidity: Float, direction: Vec3): ReturnType<SkyMeans> {
     const { first, step, count } = MEAN_RAPIDITIES;
     const place = this.place(axis).toVar();

@@ -1,0 +1,1 @@
+export { readPanorama } from './read.ts';

@@ -1,0 +1,130 @@
+import { toHalf } from '../../math/half.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { linearizationTable } from '../../scene/materials/sampleTexture.ts';
+import type { Texture } from '../../scene/types.ts';
+import { srgbByte } from '../../spectrum/display/srgbBytes.ts';
+import { type CubeFaces, facePlace, type PanoramaPicture } from './faces.ts';
+
+/** Widest picture that is made: 32 Mi pixels. */
+const MAX_WIDTH = 8192;
+
+/**
+ * The picture by latitude and longitude of a cube: its middle is ahead, to the right of that is the right face. As fine at its equator as the faces are on average; each texel is the
+ * mean over what it covers, in linear light. In halves if the faces are, else in bytes of sRGB.
+ */
+export function unfoldedCube(faces: CubeFaces): PanoramaPicture {
+  const { size, picture } = faces[0];
+  const width = Math.min(4 * size, MAX_WIDTH);
+  const height = width / 2;
+  const isRadiance = picture.data instanceof Uint16Array;
+  const data = new (isRadiance ? Uint16Array : Uint8Array)(4 * width * height).fill(isRadiance ? toHalf(1) : 255);
+  const encode = isRadiance ? toHalf : srgbByte;
+  // The finest texels of faces, at their edges, are 1/size of a radian.
+  const steps = Math.ceil((2 * Math.PI * size) / width);
+  const turns = Array.from({ length: steps * width }, (_, i) => 2 * Math.PI * ((i + 0.5) / (steps * width) - 0.5));
+  const [sines, cosines] = [turns.map(Math.sin), turns.map(Math.cos)];
+  const sampler = new FaceSampler(faces);
+  const sums = new Float64Array(3 * width);
+  for (let row = 0; row < height; row++) {
+    sums.fill(0);
+    let whole = 0;
+    for (let j = 0; j < steps; j++) {
+      const down = (Math.PI * (row + (j + 0.5) / steps)) / height;
+      const [level, up] = [Math.sin(down), Math.cos(down)];
+      whole += level * steps;
+      for (let i = 0; i < sines.length; i++) {
+        const direction: Vec3 = [level * sines[i], up, level * cosines[i]];
+        sampler.add(direction, level, sums, 3 * Math.floor(i / steps));
+      }
+    }
+    for (let i = 0, to = 4 * row * width; i < sums.length; i += 3, to += 4)
+      for (let k = 0; k < 3; k++) data[to + k] = encode(sums[i + k] / whole);
+  }
+  const made = { width, height, data };
+  return isRadiance
+    ? { ...made, data: data as Uint16Array, colorSpace: 'linear' }
+    : { ...made, data: data as Uint8Array, colorSpace: 'srgb' };
+}
+
+/** Points along each edge of a cube that are compared. */
+const EDGE_POINTS = 32;
+/** Difference across edges, relative to that between any places, from which they do not meet. */
+const MAX_DIFFERENCE = 0.6;
+/** Difference that is none: faces of one colour have no edges. */
+const MIN_DIFFERENCE = 1 / 255;
+
+/** Whether neighbouring faces have the same colours along their common edges, which six parts of a photograph have not. */
+export function edgesMeet(faces: CubeFaces): boolean {
+  const sampler = new FaceSampler(faces);
+  const brightness = (direction: Vec3): number => {
+    const rgb = new Float64Array(3);
+    sampler.add(direction, 1, rgb, 0);
+    const sum = rgb[0] + rgb[1] + rgb[2];
+    return sum / (1 + sum);
+  };
+  const sides: (readonly [number, number])[] = [];
+  const out = 1 + 2 / faces[0].size;
+  for (let axis = 0; axis < 3; axis++)
+    for (const [a, b] of [
+      [1, 1],
+      [1, -1],
+      [-1, 1],
+      [-1, -1],
+    ] as const)
+      for (let i = 0; i < EDGE_POINTS; i++) {
+        const along = (2 * (i + 0.5)) / EDGE_POINTS - 1;
+        const at = (p: number, q: number): number => {
+          const direction: [number, number, number] = [0, 0, 0];
+          direction[axis] = along;
+          direction[(axis + 1) % 3] = p;
+          direction[(axis + 2) % 3] = q;
+          return brightness(direction);
+        };
+        sides.push([at(a * out, b), at(a, b * out)]);
+      }
+  const difference = (shift: number): number =>
+    sides.reduce((sum, [one], i) => sum + Math.abs(one - sides[(i + shift) % sides.length][1]), 0);
+  // An edge that has nothing to do with the first, and the other way round along it.
+  return (
+    difference(0) <= MIN_DIFFERENCE * sides.length + MAX_DIFFERENCE * difference(5 * EDGE_POINTS + EDGE_POINTS / 2)
+  );
+}
+
+/** Bilinear samples of the faces, in linear light. */
+class FaceSampler {
+  private readonly faces: CubeFaces;
+  private readonly linear: readonly ArrayLike<number>[];
+
+  constructor(faces: CubeFaces) {
+    this.faces = faces;
+    const tables = new Map<PanoramaPicture, ArrayLike<number>>();
+    this.linear = faces.map(({ picture }) => {
+      const table = tables.get(picture) ?? Float64Array.from(linearizationTable(picture as Texture));
+      tables.set(picture, table);
+      return table;
+    });
+  }
+
+  /** Adds the colour in a direction of the cube, times `weight`. */
+  add(direction: Vec3, weight: number, sums: Float64Array, to: number): void {
+    const { face, u, v } = facePlace(direction);
+    const { picture, left, top, size, turned } = this.faces[face];
+    const x = (turned ? 1 - u : u) * size - 0.5;
+    const y = (turned ? 1 - v : v) * size - 0.5;
+    const [x0, y0] = [Math.floor(x), Math.floor(y)];
+    const [s, t] = [x - x0, y - y0];
+    const inside = (i: number): number => Math.min(Math.max(i, 0), size - 1);
+    const [columns, rows] = [
+      [left + inside(x0), left + inside(x0 + 1)],
+      [top + inside(y0), top + inside(y0 + 1)],
+    ];
+    const { data, width } = picture;
+    const linear = this.linear[face];
+    for (let corner = 0; corner < 4; corner++) {
+      const [i, j] = [corner & 1, corner >> 1];
+      const share = weight * (i ? s : 1 - s) * (j ? t : 1 - t);
+      const from = 4 * (rows[j] * width + columns[i]);
+      for (let k = 0; k < 3; k++) sums[to + k] += share * linear[data[from + k]];
+    }
+  }
+}

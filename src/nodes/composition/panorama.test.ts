@@ -1,0 +1,83 @@
+import { describe, expect, it } from 'vitest';
+import { panoramaProject } from '../../../tests/support/exampleGraphs.ts';
+import { inputError } from '../../formats/diagnostics/inputError.ts';
+import { Evaluator } from '../../graph/evaluation/evaluator.ts';
+import { IDENTITY, rotate } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
+import { makeObject, makeScene } from '../../scene/defaults.ts';
+import { box } from '../../scene/mesh/primitives.ts';
+import type { DomeLight, Scene, Texture } from '../../scene/types.ts';
+import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
+import { nodeLibrary } from '../library.ts';
+import { evaluatedPicture } from '../pictures/renderSettings.ts';
+import { workerServices } from '../services.ts';
+
+const texture: Texture = {
+  name: 'sky.png',
+  width: 2,
+  height: 1,
+  data: new Uint8Array(8).fill(255),
+  colorSpace: 'srgb',
+  filter: 'linear',
+  wrapS: 'repeat',
+  wrapT: 'clamp',
+};
+const SKY: DomeLight = { kind: 'dome', path: '/sky', color: [1, 1, 1], texture, orientation: IDENTITY };
+const FILES: Readonly<Record<string, Scene>> = {
+  'sky.png': makeScene({ name: 'sky', objects: [], lights: [SKY] }),
+  'box.usda': makeScene({
+    name: 'box',
+    objects: [makeObject({ path: '/Box', mesh: box([1, 1, 1]) })],
+    lights: [{ kind: 'dome', path: '/old', color: [0, 0, 1] }],
+  }),
+};
+
+/** The lights of a scene of a file with a dome of its own and a panorama. */
+async function lights(params: Parameters<typeof panoramaProject>[0]) {
+  const readScene = async (source: string) => {
+    const scene = FILES[source];
+    if (!scene) throw inputError('file.missing', source, msg`no such file`);
+    return { scene };
+  };
+  const evaluation = await new Evaluator(nodeLibrary).evaluate(panoramaProject(params), 'output', {
+    ...workerServices,
+    readScene,
+  });
+  return { lights: evaluatedPicture(evaluation)?.scene.lights as readonly DomeLight[] | undefined, evaluation };
+}
+
+const about = (v: Vec3) => v.map((x) => expect.closeTo(x, 9));
+
+describe('the node Panorama', () => {
+  it('is the sky of the scene, in place of the file’s', async () => {
+    const { lights: found } = await lights({ source: 'sky.png', brightness: 2 });
+    expect(found).toMatchObject([{ path: '/Panorama', color: [2, 2, 2], texture: { name: 'sky.png' } }]);
+    expect(found![0].spectrum).toBeUndefined();
+  });
+
+  it('turns to the left, raises its middle, and stands on the ground of a scene whose zenith is Z', async () => {
+    const ahead = async (params: Parameters<typeof panoramaProject>[0], from: Vec3 = [0, 0, -1]) =>
+      rotate((await lights({ source: 'sky.png', ...params })).lights![0].orientation!, from);
+    expect(await ahead({ rotation: 90 })).toEqual(about([-1, 0, 0]));
+    expect(await ahead({ tilt: 90 })).toEqual(about([0, 1, 0]));
+    expect(await ahead({ tilt: 90, rotation: 90 })).toEqual(about([0, 1, 0]));
+    expect(await ahead({ up: 'Z' })).toEqual(about([0, 1, 0]));
+    expect(await ahead({ up: 'Z' }, [0, 1, 0])).toEqual(about([0, 0, 1]));
+    expect(await ahead({ up: 'Z', rotation: 90 })).toEqual(about([-1, 0, 0]));
+  });
+
+  it('its colours are a filter before a light, if asked to', async () => {
+    expect((await lights({ source: 'sky.png', reading: 'filter' })).lights![0].spectrum).toBe(DAYLIGHT);
+    const lamp = await lights({ source: 'sky.png', reading: 'filter', madeOf: 'tungsten' });
+    expect(lamp.lights![0].spectrum).toMatchObject({ kind: 'thermal', temperature: 2856 });
+  });
+
+  it.each([
+    ['no file', {}, 'panorama.none'],
+    ['a file that is not there', { source: 'none.png' }, 'file.missing'],
+  ])('is refused with %s', async (_, params, code) => {
+    const { evaluation } = await lights(params);
+    expect(evaluation.results.get('panorama')).toMatchObject({ problem: { code } });
+  });
+});
