@@ -90,7 +90,7 @@ export class ViewRenderer {
       return { added: false, more: false };
     const buffers = this.restore();
     if (!buffers) return { added: false, more: true };
-    this.drawSample(buffers, gridPositions(n)[addedSamples]);
+    this.drawSample(buffers, gridPositions(n)[addedSamples], 1 / n);
     this.addedSamples = addedSamples + 1;
     const isShown = this.addedSamples >= Math.min(MIN_MEAN_SAMPLES, count);
     frameRenderer.antialiasing.addSample(addedSamples, count, frameRenderer.displayState, isShown);
@@ -183,7 +183,7 @@ export class ViewRenderer {
     const { frameRenderer } = this;
     frameRenderer.samples = n * n;
     for (const [i, position] of gridPositions(n).entries()) {
-      this.drawSample(buffers, position);
+      this.drawSample(buffers, position, 1 / n);
       if (n > 1) frameRenderer.antialiasing.addSample(i, n * n, frameRenderer.displayState, true);
     }
     if (frameRenderer.displayState.falseColors) this.drawPixelCenters();
@@ -201,8 +201,12 @@ export class ViewRenderer {
     frameRenderer.antialiasing.resolveTemporal(frameRenderer.displayState, state);
   }
 
-  private drawSample(buffers: ViewBuffers, position: SamplePosition): void {
+  /** `footprint`: as the uniform. */
+  private drawSample(buffers: ViewBuffers, position: SamplePosition, footprint = 1): void {
+    const { uniforms } = this.frameSetup;
+    uniforms.footprint.value = footprint;
     this.drawBuffers(buffers, position);
+    uniforms.footprint.value = 1;
     this.samplePosition = position;
   }
 

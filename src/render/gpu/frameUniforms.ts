@@ -34,6 +34,8 @@ export function makeFrameUniforms() {
     lens: makeLensUniforms(),
     /** Offset of this sample within its pixel, in half-pictures (NDC). */
     jitter: uniform(new Vector2()),
+    /** Side of the part of a pixel that this sample stands for: 1 of a single sample, 1/n of n × n. */
+    footprint: uniform(1),
     /** From the camera to the observer, on its axes (`OutsideCamera`) [m]. */
     toObserver: uniform(new Vector3()),
     /** Camera axes → world axes carried by the boost. */

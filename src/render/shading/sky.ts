@@ -14,13 +14,15 @@ export const backgroundRadiance = (
   nPrime: Vec3,
 ): Vec3 =>
   Fn(() => {
-    const { u, gamma, boosted } = uniforms;
+    const { u, gamma, boosted, footprint } = uniforms;
     const n = mix(nPrime, unaberrate(nPrime, u, gamma), boosted)
       .normalize()
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
     const accumulator = pipeline(D, uniforms);
-    const angle = sqrt(length(cross(dFdx(n), dFdy(n)))).toVar();
+    const angle = sqrt(length(cross(dFdx(n), dFdy(n))))
+      .mul(footprint)
+      .toVar();
     environment.addBackground({ n, angle }, uniforms, accumulator);
     return accumulator.total();
   })();

@@ -84,6 +84,18 @@ describe.each(['Dawn', 'WebGL2'] as const)('a panorama on %s', (backend) => {
     expect(error).toBeLessThan(0.035);
   });
 
+  it('many samples show what they cover together, no more: their mean is as sharp as that of rays', async () => {
+    const flight: PanoramaFlight = { content: 'noise', beta: 0.9, ...AHEAD, samples: 8 };
+    const { texture } = panorama('noise');
+    const picture = await drawn(flight, backend);
+    const expected = means(flight, (n) => sampleTexture(texture, ...latLongFromDirection(n))[0]);
+    const mean = expected.reduce((sum, { mean }) => sum + mean, 0) / expected.length;
+    const squares = expected.reduce((sum, { pixel, mean }) => sum + (picture[pixel] - mean) ** 2, 0);
+    const error = Math.sqrt(squares / expected.length) / mean;
+    if (process.env.REPORT) console.log(backend, '8 × 8', error.toFixed(4));
+    expect(error).toBeLessThan(0.003);
+  });
+
   it.each([
     ['parallels', 0],
     ['parallels', 0.9],

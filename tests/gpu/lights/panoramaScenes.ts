@@ -54,6 +54,8 @@ export interface PanoramaFlight {
   readonly up: Vec3;
   /** [rad] */
   readonly fovY?: number;
+  /** n × n a pixel; absent: one. */
+  readonly samples?: number;
 }
 
 export const panorama = (content: PanoramaFlight['content']): DomeLight & { readonly texture: RadianceTexture } => ({
@@ -86,10 +88,10 @@ export const viewOf = ({ beta, along, forward, up, fovY = Math.PI / 3 }: Panoram
   lens: perspective(fovY),
 });
 
-/** One channel of a picture with one sample a pixel. */
+/** One channel of a picture. */
 export async function drawnPanorama(renderer: SceneRenderer, flight: PanoramaFlight): Promise<number[]> {
   await renderer.setScene(lit([], [panorama(flight.content)]).scene);
-  renderer.render([viewOf(flight)], SETTINGS, 1);
+  renderer.render([viewOf(flight)], SETTINGS, flight.samples ?? 1);
   return Array.from(await renderer.readAov('beauty')).filter((_, i) => i % 3 === 0);
 }
 
