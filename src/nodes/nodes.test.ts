@@ -16,7 +16,7 @@ import { box } from '../scene/mesh/primitives.ts';
 import { InputError, type Scene } from '../scene/types.ts';
 import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
 import { nodeLibrary } from './library.ts';
-import { evaluatedPicture, renderSettings } from './pictures/renderSettings.ts';
+import { evaluatedPicture, pictureLens, renderSettings } from './pictures/renderSettings.ts';
 import { flyCommand, flyNodesIn, newProject, openFileCommand, removeFlightCommand } from './project/projectCommands.ts';
 import { type LoadedScene, type Services, workerServices } from './services.ts';
 
@@ -50,6 +50,23 @@ async function evaluate(loaded: LoadedScene, ...commands: Command[]) {
   const evaluation = await new Evaluator(nodeLibrary).evaluate(document, 'output', serving(loaded));
   return { picture: evaluatedPicture(evaluation), evaluation };
 }
+
+it('the Camera node gives pictures the lens that is chosen', async () => {
+  const chosen = async (...commands: Command[]) => {
+    const { picture } = await evaluate({ scene }, set('camera', 'lens', 'dome'), ...commands);
+    return picture && pictureLens(picture);
+  };
+  expect(await chosen(set('camera', 'aperture', 220), set('camera', 'domeTilt', 30))).toEqual({
+    kind: 'fisheye',
+    aperture: expect.closeTo((220 / 180) * Math.PI, 12),
+    elevation: expect.closeTo(Math.PI / 3, 12),
+  });
+  expect(await chosen(set('camera', 'lens', 'cube-strip'))).toEqual({ kind: 'cube', layout: '6x1' });
+  expect(await chosen(set('camera', 'lens', 'perspective'), set('camera', 'fieldOfView', 90))).toEqual({
+    kind: 'perspective',
+    fovY: expect.closeTo(Math.PI / 2, 12),
+  });
+});
 
 /** What is the same in every language: a letter, a symbol, a number with its unit. */
 const isUniversal = (text: string): boolean => !/\p{L}{3}/u.test(text);

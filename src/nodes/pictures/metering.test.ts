@@ -117,3 +117,23 @@ it('adaptation does not depend on the frame rate', () => {
   expect(adaptExposure(4, -2, 0)).toBe(4);
   expect(adaptExposure(4, -2, 10)).toBeCloseTo(-2, 9);
 });
+
+it('a panoramic picture is metered by solid angle: bright poles of an equirectangular one count as little as they are', () => {
+  const view = { ...look(0), lens: { kind: 'equirectangular' } as const };
+  const size = { width: 128, height: 64 };
+  // Within 30° of the poles, a third of the rows, is 1 − cos 30° = 13 % of the sphere.
+  const luminance = Float32Array.from({ length: places }, (_, i) => {
+    const row = Math.floor(i / METER_CELLS);
+    return Math.min(row, METER_CELLS - 1 - row) < METER_CELLS / 6 ? 8 : 0.25;
+  });
+  const metered = (views: readonly [ViewPoint]) =>
+    exposureForMetering('automatic', { luminance }, views, { ...DEFAULT_SETTINGS, speedOfLight: 10 }, size);
+  const [around, ahead] = [metered([view]), metered([look(0)])];
+  // Sorted by light, the mean of 10 … 95 % of the weight: 87 % − 10 % at −2, 8 % at +3 stops.
+  const share = 1 - Math.cos(Math.PI / 6);
+  const middle = (-2 * (1 - share - 0.1) + 3 * (0.95 - (1 - share))) / 0.85;
+  const highlights = 3;
+  const expected = Math.min(Math.log2(0.4) - middle, Math.log2(1.25) - highlights);
+  expect(Math.abs(around - expected)).toBeLessThan(0.05);
+  expect(ahead).toBeLessThanOrEqual(around + 1e-9);
+});
