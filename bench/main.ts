@@ -16,6 +16,7 @@ import { emission } from './rendering/emission.ts';
 import { frame } from './rendering/frame.ts';
 import { immersive } from './rendering/immersive.ts';
 import { instances } from './rendering/instances.ts';
+import { lenses } from './rendering/lenses.ts';
 import { memory } from './rendering/memory.ts';
 import { outside } from './rendering/outside.ts';
 import { tessellation } from './rendering/tessellation.ts';
@@ -32,6 +33,7 @@ const benches: readonly Bench[] = [
   immersive,
   views,
   outside,
+  lenses,
   antialiasing,
   cubic,
   tessellation,
