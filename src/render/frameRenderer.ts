@@ -6,7 +6,7 @@ import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import type { FalseColorScale } from '../spectrum/falseColor/falseColor.ts';
 import { ColorPipelines } from './color/colorPipelines.ts';
-import { type BufferLight, DeferredPass, type GBufferView } from './deferredPass.ts';
+import { type BufferLight, DeferredPass } from './deferredPass.ts';
 import type { FrameGraphRunner, PassListener } from './frameGraph/frameGraphRunner.ts';
 import { dataTarget, type GBuffer } from './gbuffer/gbuffer.ts';
 import { PixelReader } from './gbuffer/pixelReader.ts';
@@ -101,8 +101,7 @@ export class FrameRenderer {
       this.drawFace(face, views, lights, camera, i > 0);
     });
     const whole = views.map((view, i) => (isGathered(i) ? undefined : view));
-    if (faces.length > 0 || views.length > 1) drawSurfaces(whole, lights, camera, this.deferredPasses);
-    else drawSurface(views[0].view, 0, lights, camera, this.deferredPass(0));
+    drawSurfaces(whole, lights, camera, (i) => this.deferredPass(i));
     if (isGathered(0)) views[0].bind();
     this.light = runner ? runner.draw(frameGraph, sample, onPass) : this.deferredPass(0).light();
   }
@@ -118,11 +117,8 @@ export class FrameRenderer {
     this.setFaceSize(texels);
     const own = lights.map((light) => ({ ...light, lighting: { ...light.lighting, occlusionRadius: 0 } }));
     // Made before the G-buffer is drawn, as `DeferredPass.light` demands.
-    for (const { buffer, index } of own) this.pass(this.facePasses, buffer, this.faceSize).light(index);
-    views.forEach((_, i) => {
-      this.pass(this.facePasses, i, this.faceSize);
-    });
-    drawSurfaces(views, own, camera, this.facePasses);
+    for (const { buffer, index } of own) this.facePass(buffer).light(index);
+    drawSurfaces(views, own, camera, (i) => this.facePass(i));
     this.gatherer.setFace(face, texels, position);
     views.forEach((view, i) => {
       if (!view) return;
@@ -130,7 +126,7 @@ export class FrameRenderer {
       const indices = own.flatMap(({ buffer, index }) => (buffer === i ? [index] : []));
       const to = this.deferredPass(i);
       to.setGathered();
-      this.gatherer.gather(this.facePasses[i], to, indices, over);
+      this.gatherer.gather(this.facePass(i), to, indices, over);
     });
   }
 
@@ -159,6 +155,10 @@ export class FrameRenderer {
 
   private deferredPass(index: number): DeferredPass {
     return this.pass(this.deferredPasses, index, this.size);
+  }
+
+  private facePass(index: number): DeferredPass {
+    return this.pass(this.facePasses, index, this.faceSize);
   }
 
   /** Makes passes up to this index. */
@@ -245,22 +245,14 @@ function drawSurfaces(
   views: readonly (BoundRenderView | undefined)[],
   lights: readonly BufferLight[],
   camera: PerspectiveCamera,
-  passes: readonly DeferredPass[],
+  passOf: (buffer: number) => DeferredPass,
 ): void {
-  for (const [i, bound] of [...views.entries()].reverse()) {
+  for (const [buffer, bound] of [...views.entries()].reverse()) {
     if (!bound) continue;
-    bound.bind();
-    drawSurface(bound.view, i, lights, camera, passes[i]);
+    const { view, bind } = bound;
+    bind();
+    const pass = passOf(buffer);
+    pass.drawGeometry(view, camera);
+    for (const light of lights) if (light.buffer === buffer) pass.drawLight(view, camera, light.lighting, light.index);
   }
-}
-
-function drawSurface(
-  view: GBufferView,
-  buffer: number,
-  lights: readonly BufferLight[],
-  camera: PerspectiveCamera,
-  pass: DeferredPass,
-): void {
-  pass.drawGeometry(view, camera);
-  for (const light of lights) if (light.buffer === buffer) pass.drawLight(view, camera, light.lighting, light.index);
 }

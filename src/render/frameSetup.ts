@@ -209,7 +209,7 @@ export class FrameSetup {
   }
 
   /** Sets the view for samples at this position within their pixels. */
-  private setSample(view: RenderView, position: SamplePosition, size: PictureSize): void {
+  setSample(view: RenderView, position: SamplePosition, size: PictureSize): void {
     this.setView(view, size);
     this.jitter(position, size);
   }

@@ -153,7 +153,6 @@ class PreviewTargets {
       ...others.map((view, i) => ({ ...view, settings: bufferSettings(settings, i + 1) })),
     ];
     const sample = frameSetup.sample(shown(buffers), PIXEL_CENTER, size);
-    sample.views[0].bind();
     this.frameRenderer.draw(sample, (pass, image) => {
       requests.forEach((request, i) => {
         if (request.kind === 'image' && request.step === pass) onPreview(i, this.image(image, request.exposure));

@@ -149,7 +149,7 @@ export class ViewRenderer {
     const { frameSetup, lastBuffers } = this;
     if (!lastBuffers) return;
     this.setDisplay(lastBuffers);
-    frameSetup.sample(lastBuffers, this.samplePosition, this.rect).views[0].bind();
+    frameSetup.setSample(lastBuffers[0], this.samplePosition, this.rect);
   }
 
   /** Releases the passes that read a scene; the last picture cannot be drawn again until `keep`. */
@@ -212,9 +212,7 @@ export class ViewRenderer {
 
   /** Draws the prepared buffers, sampled at one position within each pixel. */
   private drawBuffers(buffers: ViewBuffers, position: SamplePosition): void {
-    const sample = this.frameSetup.sample(buffers, position, this.rect);
-    sample.views[0].bind();
-    this.frameRenderer.draw(sample);
+    this.frameRenderer.draw(this.frameSetup.sample(buffers, position, this.rect));
   }
 
   /** Draws the last picture at the pixels' centres: data that is read back is never averaged. */

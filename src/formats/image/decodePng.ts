@@ -2,6 +2,7 @@ import { unzlibSync } from 'fflate';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import { crc32 } from '../files/crc32.ts';
+import { joinedBytes } from '../files/joinedBytes.ts';
 
 /**
  * PNG pixels (W3C Portable Network Graphics, third edition): every colour type and depth, interlaced or not, as RGBA8
@@ -16,7 +17,7 @@ export function decodePngPixels(bytes: Uint8Array): Uint8Array {
   const rowBytes = (width: number): number => Math.ceil((width * format.channels * format.depth) / 8);
   const rawSizes = sizes.map(([w, h]) => (w > 0 && h > 0 ? h * (1 + rowBytes(w)) : 0));
   const total = rawSizes.reduce((a, b) => a + b, 0);
-  const raw = unzlibSync(joined(chunks.data), { out: new Uint8Array(total) });
+  const raw = unzlibSync(joinedBytes(chunks.data), { out: new Uint8Array(total) });
   if (raw.length !== total) throw new MessageError(msg`${raw.length} of ${total} bytes of pixels`);
   const out = new Uint8Array(format.width * format.height * 4);
   const write = pixelWriter(format, out);
@@ -178,14 +179,4 @@ function sample(line: Uint8Array, i: number, depth: number): number {
   if (depth === 16) return (line[2 * i] << 8) | line[2 * i + 1];
   const bit = i * depth;
   return (line[bit >> 3] >> (8 - depth - (bit & 7))) & (2 ** depth - 1);
-}
-
-function joined(parts: readonly Uint8Array[]): Uint8Array {
-  const out = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
-  let at = 0;
-  for (const part of parts) {
-    out.set(part, at);
-    at += part.length;
-  }
-  return out;
 }

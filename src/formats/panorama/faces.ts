@@ -1,4 +1,3 @@
-import type { Vec3 } from '../../math/vec3.ts';
 import type { RadianceTexture, Texture } from '../../scene/types.ts';
 
 /** A picture of linear light in halves, or of sRGB in bytes: RGBA, rows from the top. */
@@ -19,26 +18,6 @@ export interface FacePicture {
 /** Right, left, up, down, ahead, behind: +x, −x, +y, −y, +z, −z of a left-handed cube, as in OpenGL (4.6, table 8.19). */
 export type CubeFaces = readonly [FacePicture, FacePicture, FacePicture, FacePicture, FacePicture, FacePicture];
 
-/** A place on a face: u to the right and v down, 0 … 1. */
-export interface FacePlace {
-  readonly face: number;
-  readonly u: number;
-  readonly v: number;
-}
-
-/** Where the cube has a direction (x to the right, y up, z ahead) of any length but 0. */
-export function facePlace([x, y, z]: Vec3): FacePlace {
-  const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
-  const at = (face: number, right: number, down: number, along: number): FacePlace => ({
-    face,
-    u: (right / along + 1) / 2,
-    v: (down / along + 1) / 2,
-  });
-  if (ax >= ay && ax >= az) return x > 0 ? at(0, -z, -y, ax) : at(1, z, -y, ax);
-  if (ay >= az) return y > 0 ? at(2, x, z, ay) : at(3, x, -z, ay);
-  return z > 0 ? at(4, x, -y, az) : at(5, -x, -y, az);
-}
-
 /** Column and row of each face in a picture of so many columns and rows of cells. */
 interface FaceLayout {
   readonly columns: number;
@@ -50,6 +29,15 @@ interface FaceLayout {
 const inRows = (columns: number): FaceLayout['cells'] =>
   Array.from({ length: 6 }, (_, i) => [i % columns, Math.floor(i / columns)] as const);
 
+/** All faces of a cross but the back. */
+const CROSS: FaceLayout['cells'] = [
+  [2, 1],
+  [0, 1],
+  [1, 0],
+  [1, 2],
+  [1, 1],
+];
+
 /** Strips and grids have the faces in their order; a cross is an unfolded cube, with its sides in the second row, or its middle in the second column. */
 const LAYOUTS: readonly FaceLayout[] = [
   { columns: 6, rows: 1, cells: inRows(6) },
@@ -58,26 +46,12 @@ const LAYOUTS: readonly FaceLayout[] = [
   {
     columns: 4,
     rows: 3,
-    cells: [
-      [2, 1],
-      [0, 1],
-      [1, 0],
-      [1, 2],
-      [1, 1],
-      [3, 1],
-    ],
+    cells: [...CROSS, [3, 1]],
   },
   {
     columns: 3,
     rows: 4,
-    cells: [
-      [2, 1],
-      [0, 1],
-      [1, 0],
-      [1, 2],
-      [1, 1],
-      [1, 3],
-    ],
+    cells: [...CROSS, [1, 3]],
     lastTurned: true,
   },
 ];

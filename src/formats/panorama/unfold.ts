@@ -2,8 +2,9 @@ import { toHalf } from '../../math/half.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { linearizationTable } from '../../scene/materials/sampleTexture.ts';
 import type { Texture } from '../../scene/types.ts';
+import { cubeFaceOf } from '../../scene/view/lenses/cubeFaces.ts';
 import { srgbByte } from '../../spectrum/display/srgbBytes.ts';
-import { type CubeFaces, facePlace, type PanoramaPicture } from './faces.ts';
+import type { CubeFaces, PanoramaPicture } from './faces.ts';
 
 /** Widest picture that is made: 32 Mi pixels. */
 const MAX_WIDTH = 8192;
@@ -105,9 +106,10 @@ class FaceSampler {
     });
   }
 
-  /** Adds the colour in a direction of the cube, times `weight`. */
-  add(direction: Vec3, weight: number, sums: Float64Array, to: number): void {
-    const { face, u, v } = facePlace(direction);
+  /** Adds the colour in a direction of the cube (x to the right, y up, z ahead), times `weight`. */
+  add([right, up, ahead]: Vec3, weight: number, sums: Float64Array, to: number): void {
+    const { face, ...place } = cubeFaceOf([right, up, -ahead]);
+    const [u, v] = [(1 + place.x) / 2, (1 - place.y) / 2];
     const { picture, left, top, size, turned } = this.faces[face];
     const x = (turned ? 1 - u : u) * size - 0.5;
     const y = (turned ? 1 - v : v) * size - 0.5;

@@ -1,14 +1,7 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
-import {
-  changedAt,
-  contentsAt,
-  joinedBytes,
-  type Mp4Box,
-  mp4BoxSize,
-  readMp4Boxes,
-  writeMp4Boxes,
-} from './mp4Boxes.ts';
+import { joinedBytes } from '../files/joinedBytes.ts';
+import { changedAt, contentsAt, type Mp4Box, mp4BoxSize, readMp4Boxes, writeMp4Boxes } from './mp4Boxes.ts';
 
 const SAMPLE_TABLE = ['trak', 'mdia', 'minf', 'stbl'];
 const TABLE_PLACE = ['moov', ...SAMPLE_TABLE].join('/');

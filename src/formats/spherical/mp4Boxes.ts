@@ -1,5 +1,6 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import { joinedBytes } from '../files/joinedBytes.ts';
 
 /** A box of an MP4 (ISO/IEC 14496-12, 4.2): a type and what it contains. */
 export interface Mp4Box {
@@ -90,17 +91,6 @@ export function mp4Header(type: string, size: number, isWide = false): Uint8Arra
   for (let i = 0; i < 4; i++) header[4 + i] = type.charCodeAt(i);
   if (isWide) view.setBigUint64(HEADER, BigInt(size));
   return header;
-}
-
-/** The bytes one after the other. */
-export function joinedBytes(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const out = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    out.set(part, at);
-    at += part.length;
-  }
-  return out;
 }
 
 /** Boxes of one kind: which types lead to them from the box that holds all. */

@@ -1,7 +1,8 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
-import { contentsAt, joinedBytes, mp4Box, readMp4Boxes } from './mp4Boxes.ts';
+import { joinedBytes } from '../files/joinedBytes.ts';
+import { contentsAt, mp4Box, readMp4Boxes } from './mp4Boxes.ts';
 import { areaProperties, cropOfValues, MADE_BY, stereoOf, unknownProjection, unknownStereo } from './panorama.ts';
 import {
   checkedCrop,

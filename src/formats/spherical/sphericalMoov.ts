@@ -1,7 +1,8 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
-import { changedAt, contentsAt, joinedBytes, type Mp4Box, readMp4Boxes, writeMp4Boxes } from './mp4Boxes.ts';
+import { joinedBytes } from '../files/joinedBytes.ts';
+import { changedAt, contentsAt, type Mp4Box, readMp4Boxes, writeMp4Boxes } from './mp4Boxes.ts';
 import { isSphericalV1, sphericalOfV1, sphericalOfV2, sphericalV1, sphericalV2 } from './sphericalBoxes.ts';
 import type { SphericalPicture } from './sphericalPicture.ts';
 

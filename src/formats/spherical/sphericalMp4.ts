@@ -1,11 +1,12 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import { formatBytes } from '../diagnostics/inputError.ts';
+import { joinedBytes } from '../files/joinedBytes.ts';
 import type { RandomAccessFile } from '../zip/directory.ts';
 import { memoryFile } from '../zip/zipSource.ts';
 import { checkChunks, uncorrected, withMovedChunks } from './chunkOffsets.ts';
 import { inFile } from './inFile.ts';
-import { joinedBytes, type Mp4Header, mp4Box, mp4Header, readMp4Header } from './mp4Boxes.ts';
+import { type Mp4Header, mp4Box, mp4Header, readMp4Header } from './mp4Boxes.ts';
 import { sphericalOfMoov, withSphericalBoxes } from './sphericalMoov.ts';
 import type { SphericalPicture } from './sphericalPicture.ts';
 

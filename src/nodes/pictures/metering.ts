@@ -29,34 +29,45 @@ const ADAPTATION_TIME = 0.3;
  * if nothing is lit.
  */
 export function meteredExposure(luminance: ArrayLike<number>, weights?: ArrayLike<number>): number {
-  const readings = Array.from(luminance, (value, i) => ({ stops: Math.log2(value), weight: weights?.[i] ?? 1 }))
-    .filter(({ stops, weight }) => Number.isFinite(stops) && weight > 0)
-    .sort((a, b) => a.stops - b.stops);
-  if (readings.length === 0) return 0;
+  const stops = Float64Array.from(luminance, Math.log2);
+  const readings = weights ? weighted(stops, weights) : { stops: stops.filter(Number.isFinite).sort() };
+  if (readings.stops.length === 0) return 0;
   return Math.min(
     Math.log2(MIDTONE_LUMINANCE) - trimmedMean(readings, MIDTONE_RANGE),
     Math.log2(HIGHLIGHT_LUMINANCE) - trimmedMean(readings, HIGHLIGHT_RANGE),
   );
 }
 
-interface WeightedReading {
-  readonly stops: number;
-  readonly weight: number;
+/** Readings in ascending order [EV], with their weights if these differ. */
+interface SortedReadings {
+  readonly stops: Float64Array;
+  readonly weights?: Float64Array;
+}
+
+function weighted(stops: Float64Array, weights: ArrayLike<number>): SortedReadings {
+  const order = [...stops.keys()]
+    .filter((i) => Number.isFinite(stops[i]) && weights[i]! > 0)
+    .sort((a, b) => stops[a]! - stops[b]!);
+  return {
+    stops: Float64Array.from(order, (i) => stops[i]!),
+    weights: Float64Array.from(order, (i) => weights[i]!),
+  };
 }
 
 /** Weighted mean of the readings whose middles are between two shares of the whole weight; at least of the one nearest to the first. */
-function trimmedMean(sorted: readonly WeightedReading[], [from, to]: readonly [number, number]): number {
-  const total = sorted.reduce((sum, { weight }) => sum + weight, 0);
-  let [before, sum, counted, nearest] = [0, 0, 0, sorted[0]!];
-  for (const reading of sorted) {
-    const middle = (before + reading.weight / 2) / total;
-    before += reading.weight;
-    if (middle < from) nearest = reading;
-    if (middle < from || middle > to) continue;
-    sum += reading.weight * reading.stops;
-    counted += reading.weight;
-  }
-  return counted > 0 ? sum / counted : nearest.stops;
+function trimmedMean({ stops, weights }: SortedReadings, [from, to]: readonly [number, number]): number {
+  const total = weights ? weights.reduce((sum, weight) => sum + weight, 0) : stops.length;
+  let [before, sum, counted, nearest] = [0, 0, 0, stops[0]!];
+  stops.forEach((value, i) => {
+    const weight = weights?.[i] ?? 1;
+    const middle = (before + weight / 2) / total;
+    before += weight;
+    if (middle < from) nearest = value;
+    if (middle < from || middle > to) return;
+    sum += weight * value;
+    counted += weight;
+  });
+  return counted > 0 ? sum / counted : nearest;
 }
 
 /** The solid angles of the meter's cells where a lens is panoramic, since its pixels have very different ones; undefined otherwise: all count alike. */

@@ -1,3 +1,4 @@
+import { joinedBytes } from '../../files/joinedBytes.ts';
 import { Ditherer } from './dither.ts';
 import { lzwBlocks } from './lzw.ts';
 import { addPixels, choosePalette, emptyHistogram, fadeHistogram, type Palette, paletteError } from './palette.ts';
@@ -52,7 +53,13 @@ export class GifEncoder {
     this.firstColors ??= colors;
     const ownTable = colors === this.firstColors ? [] : [colorTable(colors)];
     const image = lzwBlocks(cropped(this.indices, this.width, box));
-    return joined([...begin, graphicControl(delay), imageDescriptor(box, ownTable.length > 0), ...ownTable, image]);
+    return joinedBytes([
+      ...begin,
+      graphicControl(delay),
+      imageDescriptor(box, ownTable.length > 0),
+      ...ownTable,
+      image,
+    ]);
   }
 
   /** The end of the file. */
@@ -139,16 +146,6 @@ function cropped(indices: Uint8Array, width: number, box: Box): Uint8Array {
   for (let y = 0; y < box.height; y++) {
     const start = (box.top + y) * width + box.left;
     out.set(indices.subarray(start, start + box.width), y * box.width);
-  }
-  return out;
-}
-
-function joined(parts: readonly Uint8Array[]): Uint8Array {
-  const out = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    out.set(part, at);
-    at += part.length;
   }
   return out;
 }

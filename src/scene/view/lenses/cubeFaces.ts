@@ -20,12 +20,20 @@ export const CUBE_FACES: readonly CubeFace[] = [
 ];
 
 /** The face that shows a direction, and where on it: tangents to the right and up, −1 … 1. */
-export function cubeFaceOf(direction: Vec3): { readonly face: number; readonly x: number; readonly y: number } {
-  const depths = CUBE_FACES.map(({ forward }) => dot(forward, direction));
-  const depth = Math.max(...depths);
-  const found = depths.indexOf(depth);
-  const { right, up } = CUBE_FACES[found]!;
-  return { face: found, x: dot(right, direction) / depth, y: dot(up, direction) / depth };
+export function cubeFaceOf([right, up, back]: Vec3): {
+  readonly face: number;
+  readonly x: number;
+  readonly y: number;
+} {
+  const [ax, ay, az] = [Math.abs(right), Math.abs(up), Math.abs(back)];
+  const at = (face: number, across: number, high: number, depth: number) => ({
+    face,
+    x: across / depth,
+    y: high / depth,
+  });
+  if (ax >= ay && ax >= az) return right > 0 ? at(0, back, up, ax) : at(1, -back, up, ax);
+  if (ay >= az) return up > 0 ? at(2, right, back, ay) : at(3, right, -back, ay);
+  return back < 0 ? at(4, right, up, az) : at(5, -right, up, az);
 }
 
 /** Greatest cosine of the angle between a unit vector and a direction that a face shows. */

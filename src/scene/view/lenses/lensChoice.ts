@@ -70,12 +70,17 @@ export function fittedSize(lens: Lens, { width, height }: PictureSize): PictureS
   return { width: side * columns, height: side * rows };
 }
 
+/** Whether a lens fills a picture, without bars beside what it shows. */
+export function fillsPicture(lens: Lens, { width, height }: PictureSize): boolean {
+  const fitted = fittedSize(lens, { width, height });
+  return fitted.width === width && fitted.height === height;
+}
+
 /** Throws a MessageError if a file's picture would have bars beside what its lens shows. */
 export function assertLensShape(lens: Lens, size: PictureSize): void {
-  const fitted = fittedSize(lens, size);
+  if (fillsPicture(lens, size)) return;
   const { width, height } = size;
-  if (fitted.width === width && fitted.height === height) return;
-  const [w, h] = [fitted.width, fitted.height];
+  const { width: w, height: h } = fittedSize(lens, size);
   throw new MessageError(
     lens.kind === 'equirectangular'
       ? msg`an equirectangular picture is twice as wide as high, and ${width} × ${height} is not; take ${w} × ${h}`
