@@ -1,4 +1,5 @@
 import type {
+  BufferGeometry,
   Camera,
   Material,
   Mesh,
@@ -77,9 +78,26 @@ async function compile(
   const compiled = renderer.compileAsync(scene, camera);
   renderer.depth = depth;
   for (const { mesh, material } of previous) mesh.material = material;
+  const disposal = whenDisposed(materials.flatMap(({ mesh, material }) => [mesh.geometry, ...[material].flat()]));
   try {
-    await compiled;
+    await Promise.race([compiled, disposal.happened]);
   } finally {
+    disposal.forget();
     if (quad) quad.material.vertexNode = null;
   }
+}
+
+/** When any of these is disposed. With it three.js deletes the shader that it polls, and would wait for it forever (0.187, WebGL). */
+function whenDisposed(parts: readonly (BufferGeometry | Material)[]): { happened: Promise<void>; forget(): void } {
+  let tell = (): void => {};
+  const happened = new Promise<void>((resolve) => {
+    tell = resolve;
+  });
+  for (const part of parts) part.addEventListener('dispose', tell);
+  return {
+    happened,
+    forget: () => {
+      for (const part of parts) part.removeEventListener('dispose', tell);
+    },
+  };
 }
