@@ -91,14 +91,13 @@ it('a flight that is recorded in the page is rendered by the command line to the
   await page.keyboard.press('t');
   await page.keyboard.press('t');
   await page.getByRole('button', { name: 'Flight: Thrust' }).waitFor();
-  // The project begins in motion, and instruments lag behind: what they show may be from before the recording.
-  const ownTime = async () => Number.parseFloat((await visit.status('own-time')).split('=')[1]!);
+  // The project begins in motion.
   const begin = await visit.speed();
   await page.keyboard.press('k');
-  const recordedFrom = await ownTime();
   for (const key of ['w', 'd', 'ArrowLeft', ',']) await page.keyboard.down(key);
   await expect.poll(async () => Math.abs((await visit.speed()) - begin)).toBeGreaterThan(0.1);
-  await expect.poll(async () => (await ownTime()) - recordedFrom).toBeGreaterThan(0.5);
+  // Instruments lag behind: what they show may be from before the recording.
+  await page.evaluate(() => new Promise((flown) => requestAnimationFrame(() => requestAnimationFrame(flown))));
   for (const key of ['w', 'd', 'ArrowLeft', ',']) await page.keyboard.up(key);
   await page.keyboard.press('k');
   await page.getByRole('button', { name: /^Flight: / }).click();
