@@ -150,9 +150,14 @@ export class MonitoredPage {
     return this;
   }
 
+  /** Waits until the page has ticked once since the call. */
+  async ticked(): Promise<void> {
+    await this.page.evaluate(() => new Promise((ticked) => requestAnimationFrame(() => requestAnimationFrame(ticked))));
+  }
+
   /** Waits until the picture is final: the last request is drawn with all samples and metered exposure. */
   async finest(): Promise<this> {
-    await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+    await this.ticked();
     await this.page.locator('canvas[data-finest]').waitFor();
     return this;
   }

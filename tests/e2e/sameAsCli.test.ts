@@ -97,7 +97,7 @@ it('a flight that is recorded in the page is rendered by the command line to the
   for (const key of ['w', 'd', 'ArrowLeft', ',']) await page.keyboard.down(key);
   await expect.poll(async () => Math.abs((await visit.speed()) - begin)).toBeGreaterThan(0.1);
   // Instruments lag behind: what they show may be from before the recording.
-  await page.evaluate(() => new Promise((flown) => requestAnimationFrame(() => requestAnimationFrame(flown))));
+  await visit.ticked();
   for (const key of ['w', 'd', 'ArrowLeft', ',']) await page.keyboard.up(key);
   await page.keyboard.press('k');
   await page.getByRole('button', { name: /^Flight: / }).click();
