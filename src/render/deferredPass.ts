@@ -2,28 +2,26 @@ import { vec4 } from 'three/tsl';
 import { PerspectiveCamera, type RenderTarget, Scene, type Texture } from 'three/webgpu';
 import { isStatic } from '../scene/motion/motion.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
+import type { Capture } from './capture/capture.ts';
 import { type ColorPipelines, colorVariantOf } from './color/colorPipelines.ts';
-import type { DrawCall } from './gbuffer/drawCall.ts';
 import { dataTarget, GBuffer } from './gbuffer/gbuffer.ts';
-import type { SpacetimeProjection } from './geometry/vertexStage.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { blendedRange, type LightRange } from './gpu/lightRange.ts';
 import type { PassCache } from './gpu/passCache.ts';
 import type { LayeredPass } from './layers/layeredScene.ts';
 import { AmbientOcclusion } from './occlusion/ambientOcclusion.ts';
+import { drawOpaque, type GBufferView, setMaterial } from './opaqueGeometry.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 import { backgroundPass, glassBackground } from './shading/glassBackground.ts';
-import { forwardMaterial, geometryMaterial, lightingPass, skyPass } from './shading/passes.ts';
+import { forwardMaterial, lightingPass, skyPass } from './shading/passes.ts';
 
 /** Default radius of ambient occlusion, as a fraction of the scene's radius. */
 const RELATIVE_OCCLUSION_RADIUS = 1 / 4;
 
-/** What a G-buffer is drawn of. */
-export interface GBufferView {
-  readonly upload: SceneUpload;
-  readonly projection: SpacetimeProjection;
-  readonly settings: RenderSettings;
+/** The view of a G-buffer, of which a capture may show a part. */
+export interface CapturedGBufferView extends GBufferView {
+  readonly capture?: Capture;
 }
 
 /** Settings in which several lights of one G-buffer may differ. */
@@ -53,6 +51,8 @@ export class DeferredPass {
   private size = { width: 1, height: 1 };
   /** What the G-buffer was drawn of; undefined if its occlusion is not known. */
   private occluded: GBufferView | undefined;
+  /** Whether anything opaque may be in the G-buffer. */
+  private hasSurfaces = false;
 
   constructor(gpu: Gpu, uniforms: FrameUniforms, colorPipelines: ColorPipelines, passes: PassCache) {
     this.gpu = gpu;
@@ -89,20 +89,14 @@ export class DeferredPass {
     this.gpu.renderer.render(new Scene(), new PerspectiveCamera());
   }
 
-  /** Draws the opaque scene into the G-buffer. */
-  drawGeometry(view: GBufferView, camera: PerspectiveCamera): void {
-    const { upload, projection } = view;
-    const { renderer } = this.gpu;
+  /** Fills the G-buffer: with the opaque scene, or with what a capture shows and over it with what that does not hold. */
+  drawGeometry(view: CapturedGBufferView, camera: PerspectiveCamera): void {
+    const { capture, upload } = view;
     this.occluded = view;
-    for (const { names, target } of this.buffer.passes) {
-      for (const drawCall of upload.drawCalls)
-        if (!drawCall.batch.transparent)
-          setMaterial(drawCall, `${names[0]} ${projection.event} ${projection.place}`, () =>
-            geometryMaterial(drawCall, projection, names, renderer.reversedDepthBuffer),
-          );
-      renderer.setRenderTarget(target);
-      renderer.render(upload.opaque, camera);
-    }
+    capture?.show(view, this.buffer);
+    const hasGeometry = upload.opaque.children.some((mesh) => mesh.visible);
+    if (!capture || hasGeometry) drawOpaque(this.gpu, view, this.buffer, camera, capture !== undefined);
+    this.hasSurfaces = capture !== undefined || hasGeometry;
   }
 
   /** Computes the light of the G-buffer, then blends stars and transparent objects over it. */
@@ -128,7 +122,7 @@ export class DeferredPass {
       ...{ key, projection, buffer, environment, pipeline: optics, range },
       ...(shadows && { shadows }),
     };
-    if (upload.opaque.children.some((mesh) => mesh.visible)) {
+    if (this.hasSurfaces) {
       const openness = lighting.occlusionRadius === 0 ? undefined : this.openness(lighting.occlusionRadius).texture;
       passes.run(
         `light ${buffer.depth.id} ${colorVariant} ${lighting.shadows} ${openness !== undefined}`,
@@ -210,9 +204,3 @@ export class DeferredPass {
 }
 
 const isMoving = ({ bodies }: SceneUpload): boolean => bodies.some(({ object }) => !isStatic(object.motion));
-
-function setMaterial(drawCall: DrawCall, key: string, make: () => DrawCall['mesh']['material']): void {
-  const material = drawCall.materials.get(key) ?? make();
-  drawCall.materials.set(key, material);
-  drawCall.mesh.material = material;
-}

@@ -5,6 +5,7 @@ import type { LightMeterReadings } from '../scene/view/metering.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import type { FalseColorScale } from '../spectrum/falseColor/falseColor.ts';
+import { Capture } from './capture/capture.ts';
 import { ColorPipelines } from './color/colorPipelines.ts';
 import { type BufferLight, DeferredPass } from './deferredPass.ts';
 import type { FrameGraphRunner, PassListener } from './frameGraph/frameGraphRunner.ts';
@@ -46,6 +47,8 @@ export class FrameRenderer {
   /** Of one face of a panoramic picture at a time. */
   private readonly facePasses: DeferredPass[] = [];
   private readonly gatherer: FaceGatherer;
+  /** By G-buffer. */
+  private readonly captures: Capture[] = [];
   /** By the structure of their frame graphs; the most recently used is the last. */
   private readonly runners = new Map<string, FrameGraphRunner>();
   private readonly falseColors = new FalseColorTable();
@@ -91,7 +94,8 @@ export class FrameRenderer {
 
   /** Draws one sample of a picture: its G-buffers, their light and the frame graph; `onPass` is called after each of its passes. */
   draw(sample: PictureSample, onPass?: PassListener): void {
-    const { views, faces, camera } = sample;
+    const { views, captures, faces, camera } = sample;
+    for (const { capture, faces: own, awaitsBetter } of captures) capture.take(own, camera, awaitsBetter);
     const { settings } = views[0].view;
     const { frameGraph } = settings;
     const runner = frameGraph && this.runnerFor(frameGraph);
@@ -171,6 +175,26 @@ export class FrameRenderer {
     return passes[index];
   }
 
+  /** The capture of a G-buffer. */
+  capture(buffer: number): Capture {
+    this.captures[buffer] ??= new Capture(this.gpu, this.uniforms);
+    return this.captures[buffer];
+  }
+
+  /** Forgets what captures hold. */
+  resetCaptures(): void {
+    for (const capture of this.captures) capture?.reset();
+  }
+
+  /** Frees the memory of captures of all but these G-buffers. */
+  trimCaptures(used: readonly boolean[]): void {
+    this.captures.forEach((capture, i) => {
+      if (used[i]) return;
+      capture.dispose();
+      delete this.captures[i];
+    });
+  }
+
   /** Ambient occlusion of the first G-buffer: the unoccluded fraction of the sky, weighted by the cosine. */
   openness(): RenderTarget {
     return this.deferredPass(0).openness();
@@ -222,6 +246,7 @@ export class FrameRenderer {
   /** Releases the passes that read a scene, and the history. */
   releaseScene(upload: SceneUpload): void {
     this.antialiasing.resetHistory();
+    this.resetCaptures();
     this.passes.releaseOwner(upload.serial);
   }
 
@@ -229,6 +254,7 @@ export class FrameRenderer {
     for (const owned of [
       ...this.deferredPasses,
       ...this.facePasses,
+      ...this.captures.filter(Boolean),
       ...this.runners.values(),
       this.passes,
       this.lightMeter,

@@ -13,7 +13,8 @@ import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lenses/
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { hypersurfaceChoice, isLuminous, VIEWS } from '../scene/views/views.ts';
-import type { GBufferView } from './deferredPass.ts';
+import { type Capture, captureFaceViewPoint } from './capture/capture.ts';
+import type { CapturedGBufferView } from './deferredPass.ts';
 import type { Batch } from './geometry/batches.ts';
 import type { Body } from './geometry/bodies.ts';
 import { frustumSides } from './geometry/culling.ts';
@@ -24,21 +25,23 @@ import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import { setObserverUniforms } from './gpu/observerUniforms.ts';
 import { facesOf, faceTexels, faceViewPoint } from './lenses/cubeFaceViews.ts';
 import { setLensUniforms } from './lenses/lensUniforms.ts';
-import type { BoundFace, BoundRenderView, PictureSample } from './pictureSample.ts';
-import type { SamplePosition } from './post/resolve/pixelSamples.ts';
+import type { BoundFace, BoundRenderView, DueCapture, PictureSample } from './pictureSample.ts';
+import { PIXEL_CENTER, type SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 import { DEPTH_WEIGHT } from './tessellation/criterion/edgeCriterion.ts';
 
 /** Everything that drawing a G-buffer needs. */
-export interface RenderView extends GBufferView {
+export interface RenderView extends CapturedGBufferView {
   /** What it is drawn from. */
   readonly viewPoint: ViewPoint;
   /** From its camera to the observer [m]. */
   readonly observer: Vec3;
   /** Index of the view in its picture. */
   readonly viewIndex: number;
-  /** Place among the faces of a panoramic picture; absent: it is none of them. */
+  /** Place among the faces of a panoramic picture, or of a capture; absent: it is none of them. */
   readonly face?: number;
+  /** The capture that it is a face of. */
+  readonly faceOf?: Capture;
   readonly observation: Observation;
 }
 
@@ -51,21 +54,37 @@ export function renderViewOf(
   view: ViewPoint,
   viewIndex: number,
   settings: RenderSettings,
+  captureOf: () => Capture,
 ): RenderView {
   const viewPoint = drawnFrom(view, settings);
+  const projection = spacetimeProjectionOf(settings);
   return {
-    ...{ upload, viewPoint, viewIndex, settings },
-    projection: spacetimeProjectionOf(settings),
+    ...{ upload, viewPoint, viewIndex, settings, projection },
     observation: observationOf(viewPoint, settings),
     observer: toObserver(view, settings),
+    ...(canBeCaptured(settings, projection, viewPoint) && { capture: captureOf() }),
   };
 }
+
+/** Whether it shows the past light cone of one event, from there: that is the same for all velocities. */
+const canBeCaptured = (settings: RenderSettings, { event, place }: SpacetimeProjection, view: ViewPoint): boolean =>
+  settings.capture !== undefined &&
+  event === 'emission' &&
+  (place === 'apparent' || place === 'plain') &&
+  view.vantage === undefined &&
+  settings.outside === undefined;
 
 /** Largest error along the line of sight over that across it: edges are measured with `DEPTH_WEIGHT` of it, and a triangle may sag twice as far as its edges. */
 const MAX_DEPTH_ERROR = 2 / DEPTH_WEIGHT;
 
-/** Each face has a plan of its own. */
 const MAX_FACES = CUBE_FACES.length;
+/** The view itself, its faces, and those of its capture have a plan each. */
+const PLANS_PER_VIEW = 1 + 2 * MAX_FACES;
+
+function planIndex({ viewIndex, face, faceOf }: RenderView): number {
+  const place = face === undefined ? 0 : 1 + face + (faceOf ? MAX_FACES : 0);
+  return PLANS_PER_VIEW * viewIndex + place;
+}
 
 /** Prepares uploaded scenes for one view at a time, and sets the uniforms and the camera that all passes read. */
 export class FrameSetup {
@@ -108,12 +127,19 @@ export class FrameSetup {
    * share the tables of objects and the tessellation.
    */
   sample(buffers: ViewBuffers, position: SamplePosition, size: PictureSize): PictureSample {
-    const [first, ...others] = buffers.map(
-      (view): BoundRenderView => ({ view, bind: () => this.setSample(view, position, size) }),
-    );
+    const [first, ...others] = buffers.map((view): BoundRenderView => {
+      // After the faces of its capture it is prepared again.
+      const wasInterrupted = view.capture?.isDue && !isPanoramic(view.viewPoint.lens);
+      const bind = (): void => {
+        if (wasInterrupted) this.prepareFace(view, size);
+        this.setSample(view, position, size);
+      };
+      return { view, bind };
+    });
+    const captures = buffers.flatMap((view) => this.dueCaptureOf(view));
     const panoramic = buffers.find(({ viewPoint }) => isPanoramic(viewPoint.lens));
     const { camera } = this;
-    const shared = { views: [first, ...others] as const, camera, time: buffers[0].viewPoint.t };
+    const shared = { views: [first, ...others] as const, captures, camera, time: buffers[0].viewPoint.t };
     if (!panoramic) return { ...shared, faces: [] };
     const texels = faceTexels(panoramic.viewPoint, size);
     const faceSize = { width: texels, height: texels };
@@ -132,9 +158,29 @@ export class FrameSetup {
     return { ...shared, faces };
   }
 
+  private dueCaptureOf(view: RenderView): readonly DueCapture[] {
+    const { capture, ...rest } = view;
+    if (!capture?.isDue) return [];
+    const { faceLens, faceSize } = capture;
+    const faces = CUBE_FACES.map((_, face): BoundRenderView => {
+      const viewPoint = captureFaceViewPoint(view.viewPoint, faceLens, face);
+      const observation = { ...view.observation, u: viewPoint.u };
+      const faceView: RenderView = { ...rest, viewPoint, observation, face, faceOf: capture };
+      const bind = (): void => {
+        this.prepareFace(faceView, faceSize);
+        this.setSample(faceView, PIXEL_CENTER, faceSize);
+      };
+      return { view: faceView, bind };
+    });
+    const awaitsBetter = (): boolean =>
+      CUBE_FACES.some((_, face) => view.upload.tessellator.awaitsBetter(planIndex({ ...view, face, faceOf: capture })));
+    return [{ capture, faces, awaitsBetter }];
+  }
+
   private prepareBuffer(view: RenderView, size: PictureSize, ready: () => void): readonly boolean[] | undefined {
-    const { upload, viewPoint, settings, observation } = view;
+    const { upload, viewPoint, settings, observation, capture } = view;
     this.setView(view, size);
+    capture?.plan(view, size);
     const visible = this.fillTables(view, size);
     if (!upload.objectWriter.isComplete) return undefined;
     if (settings.shadows && !upload.shadows.update(observation)) return undefined;
@@ -146,17 +192,22 @@ export class FrameSetup {
     return visible;
   }
 
-  /** Prepares a face of a prepared panoramic view for drawing; all that does not depend on the direction is there. */
+  /** Prepares a view, a face of a panoramic one or of a capture, for drawing where all that does not depend on the direction is prepared. */
   private prepareFace(view: RenderView, size: PictureSize): void {
     this.setView(view, size);
     this.placeInPicture(view, this.fillTables(view, size), size);
   }
 
   /** Returns which bodies may be in the picture. */
-  private fillTables({ upload, viewPoint, observation, projection }: RenderView, size: PictureSize): boolean[] {
+  private fillTables(
+    { upload, viewPoint, observation, projection, capture }: RenderView,
+    size: PictureSize,
+  ): readonly boolean[] {
+    if (capture && !capture.isDue && capture.holdsAll(upload)) return upload.bodies.map(() => false);
     const { lens, vantage, orientation } = viewPoint;
-    // Cones of directions are the observer's: from elsewhere everything may be seen.
-    const sides = vantage || isPanoramic(lens) ? [] : frustumSides(orientation, frustumIn(size, viewPoint));
+    // Cones of directions are the observer's: from elsewhere everything may be seen; and a capture that is to be drawn needs all.
+    const showsAll = vantage || isPanoramic(lens) || capture?.isDue;
+    const sides = showsAll ? [] : frustumSides(orientation, frustumIn(size, viewPoint));
     const frustum = { sides, place: projection.place };
     return upload.objectWriter.fill(upload.bodies, observation, frustum, startsAtNow(projection));
   }
@@ -226,21 +277,21 @@ export class FrameSetup {
     this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
   }
 
-  /** Tessellates the batches that may be visible, and sorts the transparent ones from far to near. */
-  private tessellate(
-    { upload, viewPoint, viewIndex, face, observation, projection }: RenderView,
-    visible: readonly boolean[],
-    frustum: Frustum,
-    size: PictureSize,
-  ): void {
+  /** Tessellates the batches that may be visible and are not taken from a capture, and sorts the transparent ones from far to near. */
+  private tessellate(renderView: RenderView, visible: readonly boolean[], frustum: Frustum, size: PictureSize): void {
+    const { upload, viewPoint, face, faceOf, capture, observation, projection } = renderView;
     const { drawCalls, objectWriter, shadows, tessellator } = upload;
     const focal = pixelsPerTangent(frustum, size.width, size.height);
     const { orientation, vantage } = viewPoint;
     const view = { observation, projection, orientation, frustum, focal, ...(vantage && { vantage }) };
-    const planned = face === undefined ? viewIndex : MAX_FACES * viewIndex + face;
     const isVisible = ({ bodies }: Batch): boolean => bodies.some(({ id }) => visible[id - 1]);
-    tessellator.update(view, planned, isVisible, face !== undefined && face > 0);
-    shadows.allowFor((MAX_DEPTH_ERROR * tessellator.achievedTolerance) / focal);
+    const isDrawn = (batch: Batch): boolean =>
+      (faceOf ? faceOf.holds(batch) : !capture?.holds(batch)) && isVisible(batch);
+    if (capture?.holdsAll(upload)) tessellator.hideAll();
+    else tessellator.update(view, planIndex(renderView), isDrawn, face !== undefined && face > 0);
+    const drawingError = (MAX_DEPTH_ERROR * tessellator.achievedTolerance) / focal;
+    if (faceOf) faceOf.drawingError = drawingError;
+    shadows.allowFor(Math.max(drawingError, capture?.drawingError ?? 0));
     const placement = placementOf(projection.place, observation.coneSlope);
     const distanceOf = ({ id }: Body): number => {
       const anchor = objectWriter.anchor(id);

@@ -1,11 +1,12 @@
 import type { PerspectiveCamera } from 'three/webgpu';
 import type { CubeFace } from '../scene/view/lenses/cubeFaces.ts';
-import type { GBufferView } from './deferredPass.ts';
+import type { Capture } from './capture/capture.ts';
+import type { CapturedGBufferView } from './deferredPass.ts';
 import type { SamplePosition } from './post/resolve/pixelSamples.ts';
 
 /** The view of a G-buffer, and how its uniforms are set. */
 export interface BoundRenderView {
-  readonly view: GBufferView;
+  readonly view: CapturedGBufferView;
   /** Sets the uniforms and the camera; of a face, also prepares its scene. */
   readonly bind: () => void;
 }
@@ -21,10 +22,19 @@ export interface BoundFace {
   readonly views: readonly (BoundRenderView | undefined)[];
 }
 
+/** A capture that is to be drawn first, and its faces. */
+export interface DueCapture {
+  readonly capture: Capture;
+  readonly faces: readonly BoundRenderView[];
+  /** Whether better plans for its faces are being made than those that they were drawn with. */
+  readonly awaitsBetter: () => boolean;
+}
+
 /** What one sample of a picture is drawn with. */
 export interface PictureSample {
   /** By G-buffer. */
   readonly views: readonly [BoundRenderView, ...BoundRenderView[]];
+  readonly captures: readonly DueCapture[];
   /** The faces that G-buffers with a panoramic lens are gathered from; empty if there is none. */
   readonly faces: readonly BoundFace[];
   readonly camera: PerspectiveCamera;

@@ -233,7 +233,9 @@ export class SceneRenderer implements RasterRenderer {
     const uploads = this.uploads.of(settings);
     return views.flatMap((view, viewIndex) => {
       const [first, ...others] = uploads.map((upload, i) =>
-        renderViewOf(upload, view, viewIndex, bufferSettings(settings, i)),
+        renderViewOf(upload, view, viewIndex, bufferSettings(settings, i), () =>
+          this.viewRenderer(viewIndex).capture(i),
+        ),
       );
       return first ? [[first, ...others] as const] : [];
     });
@@ -359,7 +361,7 @@ function shaderKey(
   const buffers = uploads.map(({ serial, scene }, i) => {
     const own = bufferSettings(settings, i);
     const { event, place } = spacetimeProjectionOf(own);
-    return [serial, event, place, colorVariantOf(own, scene)].join(' ');
+    return [serial, event, place, colorVariantOf(own, scene), own.capture !== undefined].join(' ');
   });
   const shape = frameGraph && frameGraphStructure(frameGraph);
   const display = [tone, grid, ghost !== 'none', pastFuture, falseColors?.kind ?? mode];

@@ -2,6 +2,7 @@ import type { RenderTarget } from 'three/webgpu';
 import { type LightMeterReadings, readingsInPicture } from '../scene/view/metering.ts';
 import type { PixelRect } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
+import type { Capture } from './capture/capture.ts';
 import { FrameRenderer } from './frameRenderer.ts';
 import { type FrameSetup, frustumIn, type ViewBuffers } from './frameSetup.ts';
 import { pickedPixel, readBytes, readData, readFloats } from './gbuffer/readback.ts';
@@ -46,6 +47,11 @@ export class ViewRenderer {
     return this.lastObservation !== undefined;
   }
 
+  /** The capture of one of its G-buffers. */
+  capture(buffer: number): Capture {
+    return this.frameRenderer.capture(buffer);
+  }
+
   setViewport(rect: PixelRect): void {
     const { width, height } = this.rect;
     this.rect = rect;
@@ -65,6 +71,7 @@ export class ViewRenderer {
   /** Draws buffers that `prepare` has prepared. */
   draw(buffers: ViewBuffers, mode: AntialiasingMode, sampling: Sampling): void {
     this.lastBuffers = buffers;
+    this.frameRenderer.trimCaptures(buffers.map(({ capture }) => capture !== undefined));
     this.addedSamples = 0;
     if (mode === 'temporal') this.drawTemporal(buffers);
     else this.drawSamples(buffers, mode === 'mean' ? Number(sampling) : 1);
@@ -74,6 +81,8 @@ export class ViewRenderer {
   /** Runs all passes of a picture and of its accumulation in drawing order, so that `precompile` finds their shaders. */
   traversePasses(buffers: ViewBuffers, mode: AntialiasingMode, target: 'canvas' | 'screen'): void {
     this.drawBuffers(buffers, PIXEL_CENTER);
+    // Nothing has been drawn.
+    this.frameRenderer.resetCaptures();
     this.frameRenderer.runDisplayPasses(mode, buffers[0].projection, target);
   }
 

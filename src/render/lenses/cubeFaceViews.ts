@@ -23,5 +23,5 @@ export const faceTexels = ({ lens }: ViewPoint, size: PictureSize): number =>
   Math.max(1, Math.ceil(2 * pixelsPerRadian(lens, size) - 1e-9));
 
 /** Axes of the face → those of the camera. */
-const faceOrientation = ({ forward: f, up: u, right: r }: CubeFace): Quat =>
+export const faceOrientation = ({ forward: f, up: u, right: r }: CubeFace): Quat =>
   fromMatrix([r[0], u[0], -f[0], r[1], u[1], -f[1], r[2], u[2], -f[2]]);

@@ -95,6 +95,11 @@ export class Tessellator {
     return this.achieved;
   }
 
+  /** Whether a better plan for this view is being made than the one that it was drawn with. */
+  awaitsBetter(viewIndex: number): boolean {
+    return this.planner.awaitsBetter(viewIndex);
+  }
+
   /** Tessellates the batches that may be visible in a view and hides the others. `viewIndex`: index of the view in the picture. `continues`: it is another face of the same picture. */
   update(
     view: Omit<TessellationView, 'tolerance' | 'maxPatches'>,
@@ -126,6 +131,12 @@ export class Tessellator {
     const runs = this.kernels.dispatch(requested, requests);
     for (const request of requests) request.patches.show(runs.get(request) ?? { first: 0, count: 0 });
     if (requests.length === 0) this.gpuTriangles = 0;
+  }
+
+  /** Hides all batches: a capture shows them. */
+  hideAll(): void {
+    this.parts.forEach(hidePart);
+    [this.cpuTriangles, this.gpuTriangles, this.otherTriangles] = [0, 0, 0];
   }
 
   /** Calls `count` every `COUNT_INTERVAL` pictures, without waiting for it. */

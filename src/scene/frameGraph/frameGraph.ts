@@ -2,6 +2,7 @@ import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import type { BufferSettings } from '../settings/settings.ts';
 import type { ShaderProgram } from '../shaderText/program.ts';
+import type { CaptureSettings } from '../view/capture.ts';
 import type { OutsideCamera } from '../view/outsideCamera.ts';
 import type { EffectId, FogColor, MixMode } from './effects.ts';
 import type { StillPixels } from './still.ts';
@@ -15,6 +16,8 @@ import type { StillPixels } from './still.ts';
 export interface FrameGraphBuffer extends BufferSettings {
   /** Looks at it from outside; absent: it is seen with the observer's eye. */
   readonly outside?: OutsideCamera;
+  /** Takes it from a capture; absent: it is drawn. */
+  readonly capture?: CaptureSettings;
   /** Index among the renderer's scenes. */
   readonly scene: number;
 }

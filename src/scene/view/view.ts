@@ -5,6 +5,7 @@ import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import type { FrameGraph, FrameGraphBuffer } from '../frameGraph/frameGraph.ts';
 import { RENDERER_SETTINGS, type RendererSettings, settingNamed } from '../settings/settings.ts';
 import type { View } from '../views/views.ts';
+import type { CaptureSettings } from './capture.ts';
 import type { Lens } from './lenses/lenses.ts';
 import type { OutsideCamera } from './outsideCamera.ts';
 
@@ -16,6 +17,8 @@ export interface RenderSettings extends RendererSettings {
   readonly frameGraph?: FrameGraph;
   /** Looks at the picture's first G-buffer from outside; absent: it is seen with the observer's eye. */
   readonly outside?: OutsideCamera;
+  /** Takes the first G-buffer from a capture; absent: it is drawn. */
+  readonly capture?: CaptureSettings;
   /** [m/s] */
   readonly speedOfLight: number;
 }
@@ -52,7 +55,7 @@ const ghostBuffer = (settings: RenderSettings, view: View): FrameGraphBuffer => 
 /** The settings of a picture's G-buffer; 0 is that of `settings` themselves. */
 export function bufferSettings(settings: RenderSettings, buffer: number): RenderSettings {
   if (buffer === 0) return settings;
-  const { outside: _, ...shared } = settings;
+  const { outside: _, capture: __, ...shared } = settings;
   return { ...shared, ...extraBuffers(settings)[buffer - 1] };
 }
 

@@ -29,6 +29,8 @@ export type FramePlans = readonly (BatchPlan | undefined)[];
 export interface Planner {
   /** The result is valid until the next call. */
   plan(request: PlanRequest): FramePlans;
+  /** Whether a plan that fits the view better than its last one is being made. */
+  awaitsBetter(viewIndex: number): boolean;
   /** First triangle of each cluster of a batch, and after the last one the number of triangles. */
   starts(batch: number): Uint32Array;
   dispose(): void;
@@ -49,6 +51,10 @@ export class LocalPlanner implements Planner {
 
   starts(batch: number): Uint32Array {
     return this.planners[batch].starts;
+  }
+
+  awaitsBetter(): boolean {
+    return false;
   }
 
   /** Uses one tolerance for all batches, because different ones would leave cracks. */

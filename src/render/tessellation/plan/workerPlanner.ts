@@ -90,6 +90,10 @@ export class WorkerPlanner implements Planner {
     return this.local.starts(batch);
   }
 
+  awaitsBetter(viewIndex: number): boolean {
+    return this.plansOf(viewIndex).awaitsBetter;
+  }
+
   dispose(): void {
     this.worker.terminate();
   }

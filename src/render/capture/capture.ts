@@ -1,0 +1,141 @@
+import type { PerspectiveCamera } from 'three/webgpu';
+import { sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { captureTexels, pixelsPerRestRadian } from '../../scene/view/capture.ts';
+import { CUBE_FACES } from '../../scene/view/lenses/cubeFaces.ts';
+import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { ViewPoint } from '../../scene/view/view.ts';
+import { GBuffer } from '../gbuffer/gbuffer.ts';
+import type { Batch } from '../geometry/batches.ts';
+import type { Observation } from '../geometry/observation.ts';
+import type { Gpu } from '../gpu/device.ts';
+import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+import { faceOrientation } from '../lenses/cubeFaceViews.ts';
+import { drawOpaque, type GBufferView } from '../opaqueGeometry.ts';
+import { isCapturable } from './capturedBatches.ts';
+import { CaptureSchedule } from './captureSchedule.ts';
+import { ATLAS_GRID, CaptureWarp } from './captureWarp.ts';
+
+/** What a capture is taken for. */
+export interface CapturableView extends GBufferView {
+  readonly viewPoint: ViewPoint;
+  readonly observation: Observation;
+}
+
+/** Six faces of a G-buffer around an event, for observers of any velocity there. */
+export class Capture {
+  private readonly gpu: Gpu;
+  /** All faces, in a grid. */
+  private readonly atlas: GBuffer;
+  private readonly warp: CaptureWarp;
+  private readonly schedule = new CaptureSchedule();
+  private side = 0;
+  private capturable: { readonly of: GBufferView['upload']; readonly batches: readonly Batch[] } | undefined;
+  /** How far its surfaces may be drawn beside those that are seen [rad]. */
+  drawingError = 0;
+
+  constructor(gpu: Gpu, uniforms: FrameUniforms) {
+    this.gpu = gpu;
+    this.atlas = new GBuffer(gpu.maxBytesPerSample, gpu.maxAttachments);
+    this.warp = new CaptureWarp(this.atlas, uniforms);
+  }
+
+  /** Decides what the next picture takes from the capture, and whether it has to be drawn before. */
+  plan({ upload, viewPoint, observation, projection, settings }: CapturableView, size: PictureSize): void {
+    if (!settings.capture) return;
+    const side = captureTexels(settings.capture, viewPoint, size);
+    this.schedule.next({
+      key: `${upload.serial} ${settings.speedOfLight} ${side}`,
+      event: observation,
+      batches: this.batchesOf(upload),
+      maxError:
+        settings.capture.maxError /
+        pixelsPerRestRadian(viewPoint, projection.place === 'apparent' ? viewPoint.u : ZERO, size),
+    });
+    if (this.isDue) this.setSide(side);
+  }
+
+  /** Whether its faces have to be drawn before the next picture. */
+  get isDue(): boolean {
+    return this.schedule.isDue;
+  }
+
+  get faceSize(): PictureSize {
+    return { width: this.side, height: this.side };
+  }
+
+  /** The lens of its faces, which overlap by a texel at each side. */
+  get faceLens(): ViewPoint['lens'] {
+    return perspective(2 * Math.atan(this.side / (this.side - 2)));
+  }
+
+  /** Whether the next picture takes a batch from the capture. */
+  holds(batch: Batch): boolean {
+    return this.schedule.batches.has(batch);
+  }
+
+  /** Whether the next picture takes all of a scene from it. */
+  holdsAll({ drawCalls }: GBufferView['upload']): boolean {
+    return drawCalls.every(({ batch }) => this.holds(batch));
+  }
+
+  /** Draws its faces, each after its `bind`. `isProvisional`: whether they should be drawn again if the observer stays. */
+  take(
+    faces: readonly { readonly view: GBufferView; readonly bind: () => void }[],
+    camera: PerspectiveCamera,
+    isProvisional: () => boolean,
+  ): void {
+    const { side, atlas } = this;
+    faces.forEach(({ view, bind }, k) => {
+      bind();
+      const [x, y] = [(k % ATLAS_GRID[0]) * side, Math.floor(k / ATLAS_GRID[0]) * side];
+      for (const { target } of atlas.passes) {
+        target.viewport.set(x, y, side, side);
+        target.scissor.copy(target.viewport);
+        target.scissorTest = true;
+      }
+      // WebGPU clears whole attachments, whatever the scissor says.
+      drawOpaque(this.gpu, view, atlas, camera, k > 0);
+    });
+    this.schedule.taken(isProvisional());
+  }
+
+  /** Fills a G-buffer with what it shows, for the observer and the perspective camera of the uniforms. */
+  show({ projection }: GBufferView, to: GBuffer): void {
+    const { shift } = this.schedule;
+    const moved: Vec3 = shift ? sub(shift.to.position, shift.from.position) : ZERO;
+    this.warp.run(this.gpu.renderer, to, this.side, moved, projection.place);
+  }
+
+  /** Forgets what it holds. */
+  reset(): void {
+    this.schedule.reset();
+  }
+
+  dispose(): void {
+    this.atlas.dispose();
+    this.warp.dispose();
+  }
+
+  private setSide(side: number): void {
+    if (side === this.side) return;
+    this.side = side;
+    this.atlas.setSize(ATLAS_GRID[0] * side, ATLAS_GRID[1] * side);
+  }
+
+  private batchesOf(upload: GBufferView['upload']): readonly Batch[] {
+    if (this.capturable?.of !== upload) {
+      const batches = new Set(upload.drawCalls.map(({ batch }) => batch).filter(isCapturable));
+      this.capturable = { of: upload, batches: [...batches] };
+    }
+    return this.capturable.batches;
+  }
+}
+
+/** A view of one of its faces. */
+export const captureFaceViewPoint = (view: ViewPoint, lens: ViewPoint['lens'], face: number): ViewPoint => ({
+  ...view,
+  u: ZERO,
+  lens,
+  orientation: faceOrientation(CUBE_FACES[face]!),
+});

@@ -1,0 +1,86 @@
+import { addScaled, sub } from '../../math/vec3.ts';
+import type { Batch } from '../geometry/batches.ts';
+import { type CaptureEvent, captureError } from './capturedBatches.ts';
+
+/** A capture lasts for as many pictures, if the observer goes on as from the last one; what it cannot hold so long is drawn as geometry. */
+const LASTING_PICTURES = 16;
+
+/** What a picture asks of a capture. */
+export interface CaptureRequest {
+  /** Captures with another key are of something else. */
+  readonly key: string;
+  readonly event: CaptureEvent;
+  /** All that it may hold. */
+  readonly batches: readonly Batch[];
+  /** Greatest error of what it holds [rad at rest]. */
+  readonly maxError: number;
+}
+
+interface HeldCapture {
+  readonly key: string;
+  readonly event: CaptureEvent;
+  readonly batches: ReadonlySet<Batch>;
+}
+
+/** Decides which batches a picture takes from a capture, and when that is renewed; the others are drawn as geometry over it. */
+export class CaptureSchedule {
+  private held: HeldCapture | undefined;
+  /** The one that `held` becomes when it has been drawn. */
+  private due: HeldCapture | undefined;
+  private last: { readonly key: string; readonly event: CaptureEvent } | undefined;
+  /** Whether it is to be drawn again for an observer who stays. */
+  private isProvisional = false;
+
+  /** Sets what the next picture is drawn with. */
+  next({ key, event, batches, maxError }: CaptureRequest): void {
+    const { held, last } = this;
+    const previous = last?.key === key ? last.event : event;
+    const rests = last?.key === key && isSame(previous, event);
+    this.last = { key, event };
+    const lasts =
+      held?.key === key && [...held.batches].every((each) => captureError(each, held.event, event) <= maxError);
+    const isFinal = held?.batches.size === batches.length && !this.isProvisional;
+    this.due = undefined;
+    if (lasts && (isFinal || !rests)) return;
+    const later = goneOn(previous, event);
+    this.due = { key, event, batches: new Set(batches.filter((each) => captureError(each, event, later) <= maxError)) };
+  }
+
+  get isDue(): boolean {
+    return this.due !== undefined;
+  }
+
+  /** Those that the next picture takes from the capture. */
+  get batches(): ReadonlySet<Batch> {
+    return (this.due ?? this.held)?.batches ?? new Set();
+  }
+
+  /** From the event of the capture to that of the picture. */
+  get shift(): { readonly from: CaptureEvent; readonly to: CaptureEvent } | undefined {
+    const from = (this.due ?? this.held)?.event;
+    return from && this.last && { from, to: this.last.event };
+  }
+
+  /** It has been drawn. `isProvisional`: not with the best tessellation. */
+  taken(isProvisional: boolean): void {
+    this.held = this.due ?? this.held;
+    this.due = undefined;
+    this.isProvisional = isProvisional;
+  }
+
+  /** What it holds is lost. */
+  reset(): void {
+    this.held = undefined;
+    this.due = undefined;
+    this.last = undefined;
+  }
+}
+
+const isSame = (a: CaptureEvent, b: CaptureEvent): boolean =>
+  a.t === b.t && a.position.every((x, i) => x === b.position[i]);
+
+/** Where an observer will be. */
+const goneOn = (previous: CaptureEvent, event: CaptureEvent): CaptureEvent => ({
+  t: event.t + LASTING_PICTURES * (event.t - previous.t),
+  position: addScaled(event.position, sub(event.position, previous.position), LASTING_PICTURES),
+});
