@@ -1,4 +1,4 @@
-import type { PerspectiveCamera } from 'three/webgpu';
+import { type PerspectiveCamera, Scene } from 'three/webgpu';
 import { sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { captureTexels, pixelsPerRestRadian } from '../../scene/view/capture.ts';
 import { CUBE_FACES } from '../../scene/view/lenses/cubeFaces.ts';
@@ -15,6 +15,8 @@ import { drawOpaque, type GBufferView } from '../opaqueGeometry.ts';
 import { isCapturable } from './capturedBatches.ts';
 import { CaptureSchedule } from './captureSchedule.ts';
 import { ATLAS_GRID, CaptureWarp } from './captureWarp.ts';
+
+const EMPTY = new Scene();
 
 /** What a capture is taken for. */
 export interface CapturableView extends GBufferView {
@@ -86,6 +88,7 @@ export class Capture {
     isProvisional: () => boolean,
   ): void {
     const { side, atlas } = this;
+    this.clear(camera);
     faces.forEach(({ view, bind }, k) => {
       bind();
       const [x, y] = [(k % ATLAS_GRID[0]) * side, Math.floor(k / ATLAS_GRID[0]) * side];
@@ -94,10 +97,19 @@ export class Capture {
         target.scissor.copy(target.viewport);
         target.scissorTest = true;
       }
-      // WebGPU clears whole attachments, whatever the scissor says.
-      drawOpaque(this.gpu, view, atlas, camera, k > 0);
+      drawOpaque(this.gpu, view, atlas, camera, true);
     });
     this.schedule.taken(isProvisional());
+  }
+
+  /** Whole attachments: WebGL clears within the scissor, WebGPU whatever that says. */
+  private clear(camera: PerspectiveCamera): void {
+    for (const { target } of this.atlas.passes) {
+      target.viewport.set(0, 0, target.width, target.height);
+      target.scissorTest = false;
+      this.gpu.renderer.setRenderTarget(target);
+      this.gpu.renderer.render(EMPTY, camera);
+    }
   }
 
   /** Fills a G-buffer with what it shows, for the observer and the perspective camera of the uniforms. */

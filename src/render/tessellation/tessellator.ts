@@ -136,6 +136,7 @@ export class Tessellator {
   /** Hides all batches: a capture shows them. */
   hideAll(): void {
     this.parts.forEach(hidePart);
+    this.kernels.clear();
     [this.cpuTriangles, this.gpuTriangles, this.otherTriangles] = [0, 0, 0];
   }
 

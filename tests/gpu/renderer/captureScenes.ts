@@ -2,10 +2,10 @@ import { fromAxisAngle, IDENTITY, multiply } from '../../../src/math/quat.ts';
 import { normalize, type Vec3 } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import type { SceneRenderer } from '../../../src/render/renderer.ts';
-import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
+import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, grid, sphere, torus } from '../../../src/scene/mesh/primitives.ts';
-import type { Scene } from '../../../src/scene/types.ts';
+import type { Scene, Texture } from '../../../src/scene/types.ts';
 import type { Lens } from '../../../src/scene/view/lenses/lenses.ts';
 import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
@@ -13,11 +13,16 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../
 const C = 10;
 export const SIZE = { width: 120, height: 90 };
 export const DIRECT: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: C, antialiasing: false };
-export const CAPTURED: RenderSettings = { ...DIRECT, capture: { texels: 256, maxError: 0.5 } };
+export const CAPTURED: RenderSettings = { ...DIRECT, capture: { texels: 512, maxError: 0.5 } };
 
 /** Side of the pattern on the floor [texels]. */
 const TILES = 16;
-const CHECKER = {
+const CHECKER: Texture = {
+  name: 'checker',
+  colorSpace: 'srgb',
+  filter: 'linear',
+  wrapS: 'repeat',
+  wrapT: 'repeat',
   width: TILES,
   height: TILES,
   data: Uint8Array.from({ length: 4 * TILES * TILES }, (_, i) => {
@@ -39,7 +44,14 @@ export const SCENE: Scene = makeScene({
   ],
   lights: [
     { kind: 'distant', path: '/Sun', direction: normalize([0.4, -1, -0.3]), color: [2, 1.9, 1.7] },
-    { kind: 'sphere', path: '/Lamp', position: [0, 4, 0], radius: 0.1, color: [300, 280, 260] } as never,
+    {
+      kind: 'sphere',
+      path: '/Lamp',
+      motion: restingAt([0, 4, 0]),
+      radius: 0.1,
+      color: [300, 280, 260],
+      lifetime: FOREVER,
+    },
   ],
   objects: [
     makeObject({ path: '/Floor', mesh: withMaterial(grid(40, 40, 8, 8, 'Y'), 1), motion: restingAt([0, -2, 0]) }),
@@ -111,6 +123,28 @@ export async function picture(
   return { light, object, depth, doppler, normal, triangles: renderer.info.triangles };
 }
 
+/** The pictures of these views, drawn and, on another renderer of the device, all from one capture; that is drawn before the first, without others. */
+export async function agreement(
+  renderer: SceneRenderer,
+  names: readonly string[],
+  beforeFrame: () => void,
+): Promise<readonly (Difference & { readonly drawnTriangles: number; readonly capturedTriangles: number })[]> {
+  const other = renderer.beside();
+  try {
+    await other.setScene(SCENE);
+    const found = [];
+    for (const name of names) {
+      const drawn = await picture(renderer, VIEWS[name]!, DIRECT, beforeFrame);
+      const captured = await picture(other, VIEWS[name]!, CAPTURED, beforeFrame);
+      const triangles = { drawnTriangles: drawn.triangles, capturedTriangles: captured.triangles };
+      found.push({ ...difference(drawn, captured), ...triangles });
+    }
+    return found;
+  } finally {
+    other.dispose();
+  }
+}
+
 /** How far a picture from a capture is from one that is drawn. */
 export interface Difference {
   /** Share of pixels with the same object. */
@@ -139,7 +173,8 @@ export function difference(drawn: Picture, captured: Picture): Difference {
     depth.push(Math.abs(captured.depth[i]! / drawn.depth[i]! - 1));
     normal.push(apart(rgb(drawn.normal, i), rgb(captured.normal, i)));
   });
-  const quantile = (values: number[], q: number): number => values.sort((a, b) => a - b)[Math.floor(q * (values.length - 1))] ?? 0;
+  const quantile = (values: number[], q: number): number =>
+    values.sort((a, b) => a - b)[Math.floor(q * (values.length - 1))] ?? 0;
   return {
     same: same / drawn.object.length,
     light: quantile(light, 0.5),

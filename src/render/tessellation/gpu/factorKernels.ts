@@ -50,6 +50,11 @@ export class FactorKernels {
     return this.used > 0;
   }
 
+  /** The next view has no patches. */
+  clear(): void {
+    this.used = 0;
+  }
+
   /** Fills the lists and returns where the patches of each request are. */
   dispatch(view: TessellationView, requests: readonly PatchRequest[]): ReadonlyMap<PatchRequest, PatchRange> {
     const ranges = new Map<PatchRequest, PatchRange>();
