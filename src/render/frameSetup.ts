@@ -187,8 +187,8 @@ export class FrameSetup {
     ready();
     upload.releasePieces(visible);
     upload.updateLights(observation, settings.colors);
-    // Of others, each face has its own.
-    if (!isPanoramic(viewPoint.lens)) this.placeInPicture(view, visible, size);
+    // Of others, each face has its own; and after the faces of a capture it is done again.
+    if (!isPanoramic(viewPoint.lens) && !capture?.isDue) this.placeInPicture(view, visible, size);
     return visible;
   }
 
@@ -200,7 +200,7 @@ export class FrameSetup {
 
   /** Returns which bodies may be in the picture. */
   private fillTables(
-    { upload, viewPoint, observation, projection, capture }: RenderView,
+    { upload, viewPoint, observation, projection, capture, faceOf }: RenderView,
     size: PictureSize,
   ): readonly boolean[] {
     if (capture && !capture.isDue && capture.holdsAll(upload)) return upload.bodies.map(() => false);
@@ -209,7 +209,9 @@ export class FrameSetup {
     const showsAll = vantage || isPanoramic(lens) || capture?.isDue;
     const sides = showsAll ? [] : frustumSides(orientation, frustumIn(size, viewPoint));
     const frustum = { sides, place: projection.place };
-    return upload.objectWriter.fill(upload.bodies, observation, frustum, startsAtNow(projection));
+    const isDrawn = (body: Body): boolean =>
+      faceOf ? faceOf.holds(body) : !capture || capture.isDue || !capture.holds(body);
+    return upload.objectWriter.fill(upload.bodies, observation, frustum, startsAtNow(projection), isDrawn);
   }
 
   /** Tessellates for a perspective view, and places the stars in it. */
@@ -285,10 +287,8 @@ export class FrameSetup {
     const { orientation, vantage } = viewPoint;
     const view = { observation, projection, orientation, frustum, focal, ...(vantage && { vantage }) };
     const isVisible = ({ bodies }: Batch): boolean => bodies.some(({ id }) => visible[id - 1]);
-    const isDrawn = (batch: Batch): boolean =>
-      (faceOf ? faceOf.holds(batch) : !capture?.holds(batch)) && isVisible(batch);
     if (capture?.holdsAll(upload)) tessellator.hideAll();
-    else tessellator.update(view, planIndex(renderView), isDrawn, face !== undefined && face > 0);
+    else tessellator.update(view, planIndex(renderView), isVisible, face !== undefined && face > 0);
     const drawingError = (MAX_DEPTH_ERROR * tessellator.achievedTolerance) / focal;
     if (faceOf) faceOf.drawingError = drawingError;
     shadows.allowFor(Math.max(drawingError, capture?.drawingError ?? 0));

@@ -6,13 +6,12 @@ import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { GBuffer } from '../gbuffer/gbuffer.ts';
-import type { Batch } from '../geometry/batches.ts';
+import type { Body } from '../geometry/bodies.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { faceOrientation } from '../lenses/cubeFaceViews.ts';
 import { drawOpaque, type GBufferView } from '../opaqueGeometry.ts';
-import { isCapturable } from './capturedBatches.ts';
 import { CaptureSchedule } from './captureSchedule.ts';
 import { ATLAS_GRID, CaptureWarp } from './captureWarp.ts';
 
@@ -32,7 +31,7 @@ export class Capture {
   private readonly warp: CaptureWarp;
   private readonly schedule = new CaptureSchedule();
   private side = 0;
-  private capturable: { readonly of: GBufferView['upload']; readonly batches: readonly Batch[] } | undefined;
+  private capturable: { readonly of: GBufferView['upload']; readonly bodies: readonly Body[] } | undefined;
   /** How far its surfaces may be drawn beside those that are seen [rad]. */
   drawingError = 0;
 
@@ -49,7 +48,7 @@ export class Capture {
     this.schedule.next({
       key: `${upload.serial} ${settings.speedOfLight} ${side}`,
       event: observation,
-      batches: this.batchesOf(upload),
+      bodies: this.bodiesOf(upload),
       maxError:
         settings.capture.maxError /
         pixelsPerRestRadian(viewPoint, projection.place === 'apparent' ? viewPoint.u : ZERO, size),
@@ -71,14 +70,14 @@ export class Capture {
     return perspective(2 * Math.atan(this.side / (this.side - 2)));
   }
 
-  /** Whether the next picture takes a batch from the capture. */
-  holds(batch: Batch): boolean {
-    return this.schedule.batches.has(batch);
+  /** Whether the next picture takes a body from the capture. */
+  holds(body: Body): boolean {
+    return this.schedule.bodies.has(body);
   }
 
   /** Whether the next picture takes all of a scene from it. */
-  holdsAll({ drawCalls }: GBufferView['upload']): boolean {
-    return drawCalls.every(({ batch }) => this.holds(batch));
+  holdsAll({ bodies }: GBufferView['upload']): boolean {
+    return this.schedule.bodies.size === bodies.length;
   }
 
   /** Draws its faces, each after its `bind`. `isProvisional`: whether they should be drawn again if the observer stays. */
@@ -135,12 +134,14 @@ export class Capture {
     this.atlas.setSize(ATLAS_GRID[0] * side, ATLAS_GRID[1] * side);
   }
 
-  private batchesOf(upload: GBufferView['upload']): readonly Batch[] {
+  /** Those that it can hold: light is computed anew from what it holds, which is the front surface, without its layers. */
+  private bodiesOf(upload: GBufferView['upload']): readonly Body[] {
     if (this.capturable?.of !== upload) {
-      const batches = new Set(upload.drawCalls.map(({ batch }) => batch).filter(isCapturable));
-      this.capturable = { of: upload, batches: [...batches] };
+      const others = upload.drawCalls.filter(({ batch }) => batch.transparent || batch.layered);
+      const excluded = new Set(others.flatMap(({ batch }) => batch.bodies));
+      this.capturable = { of: upload, bodies: upload.bodies.filter((body) => !excluded.has(body)) };
     }
-    return this.capturable.batches;
+    return this.capturable.bodies;
   }
 }
 

@@ -1,6 +1,6 @@
 import { addScaled, sub } from '../../math/vec3.ts';
-import type { Batch } from '../geometry/batches.ts';
-import { type CaptureEvent, captureError } from './capturedBatches.ts';
+import type { Body } from '../geometry/bodies.ts';
+import { type CaptureEvent, captureError } from './captureError.ts';
 
 /** A capture lasts for as many pictures, if the observer goes on as from the last one; what it cannot hold so long is drawn as geometry. */
 const LASTING_PICTURES = 16;
@@ -11,7 +11,7 @@ export interface CaptureRequest {
   readonly key: string;
   readonly event: CaptureEvent;
   /** All that it may hold. */
-  readonly batches: readonly Batch[];
+  readonly bodies: readonly Body[];
   /** Greatest error of what it holds [rad at rest]. */
   readonly maxError: number;
 }
@@ -19,10 +19,10 @@ export interface CaptureRequest {
 interface HeldCapture {
   readonly key: string;
   readonly event: CaptureEvent;
-  readonly batches: ReadonlySet<Batch>;
+  readonly bodies: ReadonlySet<Body>;
 }
 
-/** Decides which batches a picture takes from a capture, and when that is renewed; the others are drawn as geometry over it. */
+/** Decides which bodies a picture takes from a capture, and when that is renewed; the others are drawn as geometry over it. */
 export class CaptureSchedule {
   private held: HeldCapture | undefined;
   /** The one that `held` becomes when it has been drawn. */
@@ -32,18 +32,18 @@ export class CaptureSchedule {
   private isProvisional = false;
 
   /** Sets what the next picture is drawn with. */
-  next({ key, event, batches, maxError }: CaptureRequest): void {
+  next({ key, event, bodies, maxError }: CaptureRequest): void {
     const { held, last } = this;
     const previous = last?.key === key ? last.event : event;
     const rests = last?.key === key && isSame(previous, event);
     this.last = { key, event };
     const lasts =
-      held?.key === key && [...held.batches].every((each) => captureError(each, held.event, event) <= maxError);
-    const isFinal = held?.batches.size === batches.length && !this.isProvisional;
+      held?.key === key && [...held.bodies].every((each) => captureError(each, held.event, event) <= maxError);
+    const isFinal = held?.bodies.size === bodies.length && !this.isProvisional;
     this.due = undefined;
     if (lasts && (isFinal || !rests)) return;
     const later = goneOn(previous, event);
-    this.due = { key, event, batches: new Set(batches.filter((each) => captureError(each, event, later) <= maxError)) };
+    this.due = { key, event, bodies: new Set(bodies.filter((each) => captureError(each, event, later) <= maxError)) };
   }
 
   get isDue(): boolean {
@@ -51,8 +51,8 @@ export class CaptureSchedule {
   }
 
   /** Those that the next picture takes from the capture. */
-  get batches(): ReadonlySet<Batch> {
-    return (this.due ?? this.held)?.batches ?? new Set();
+  get bodies(): ReadonlySet<Body> {
+    return (this.due ?? this.held)?.bodies ?? new Set();
   }
 
   /** From the event of the capture to that of the picture. */

@@ -40,14 +40,22 @@ export class ObjectTableWriter {
 
   /**
    * Fills the tables; returns which bodies may be in the picture. `withNow`: include samples from or up to the observer's own time, where Newton's search along
-   * world lines begins.
+   * world lines begins. `isDrawn`: others are not in the picture, as if they could not be seen.
    */
-  fill(bodies: readonly Body[], observation: Observation, frustum: ViewFrustum, withNow: boolean): boolean[] {
+  fill(
+    bodies: readonly Body[],
+    observation: Observation,
+    frustum: ViewFrustum,
+    withNow: boolean,
+    isDrawn: (body: Body) => boolean = () => true,
+  ): boolean[] {
     const { objects, samples } = this.tables;
     this.used = 0;
     this.complete = true;
     objects.reserve(bodies.length * OBJECT_TEXELS);
-    const visible = bodies.map((body) => this.writeObject(body, observation, frustum, withNow));
+    const visible = bodies.map((body) =>
+      isDrawn(body) ? this.writeObject(body, observation, frustum, withNow) : this.writeUnseen(body),
+    );
     objects.upload();
     samples.upload();
     return visible;
@@ -71,18 +79,12 @@ export class ObjectTableWriter {
     const line = worldLineOfCenter(body, observation.c);
     const section = worldTubeSection(line, body.radius, observation);
     const exists = section && overlapsLifetime(body, section, observation);
-    if (!section || !exists || !maybeVisible(section.sphere, observation, frustum)) {
-      out[at + 3] = -1;
-      return false;
-    }
+    if (!section || !exists || !maybeVisible(section.sphere, observation, frustum)) return this.writeUnseen(body);
     // A body that straddles a horizon is anchored where it has come out farthest: its centre may be infinitely far away.
     const straddles = section.sphere.radius === Number.POSITIVE_INFINITY || !section.anchor;
     const trailing = straddles ? this.trailingAnchor(body, observation) : undefined;
     const anchor = trailing?.anchor ?? section.anchor;
-    if (!anchor) {
-      out[at + 3] = -1;
-      return false;
-    }
+    if (!anchor) return this.writeUnseen(body);
     out.set([...anchor.offset, length(anchor.offset)], at);
     const { birth, death } = body.object.lifetime;
     const after = (t: number) => clampFinite(observation.c * (t - observation.t) - anchor.ahead);
@@ -95,6 +97,11 @@ export class ObjectTableWriter {
     const anchorPoint = trailing?.anchorPoint ?? ZERO;
     this.writeMotion({ body, line, section: neededSection, anchor, anchorPoint, observation, at });
     return true;
+  }
+
+  private writeUnseen({ id }: Body): false {
+    this.tables.objects.values[4 * OBJECT_TEXELS * (id - 1) + 3] = -1;
+    return false;
   }
 
   private trailingAnchor(body: Body, observation: Observation): Pick<ObjectRow, 'anchor' | 'anchorPoint'> | undefined {

@@ -2,10 +2,10 @@ import '../../../src/cli/gpu/nodeShim.ts';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
-import { add, type Vec3 } from '../../../src/math/vec3.ts';
+import { addScaled, type Vec3 } from '../../../src/math/vec3.ts';
 import { openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
-import { agreement, CAPTURED, DIRECT, difference, type Picture, picture, SCENE, SIZE, VIEWS } from './captureScenes.ts';
+import { agreement, CAPTURED, DIRECT, difference, LAYERED, picture, SCENE, SIZE, VIEWS } from './captureScenes.ts';
 
 let headless: HeadlessPictures;
 beforeAll(async () => {
@@ -15,7 +15,6 @@ beforeAll(async () => {
 afterAll(() => headless?.close());
 
 function expectAgreement(name: string, found: Awaited<ReturnType<typeof agreement>>[number]): void {
-  console.log(name, found);
   // Looking back at 0.9 c a texel covers up to 2 × 2 pixels.
   expect(found.same, name).toBeGreaterThan(name.includes('back') ? 0.99 : 0.995);
   expect(found.light, name).toBeLessThan(0.02);
@@ -49,4 +48,54 @@ describe('a capture, drawn once, shows an observer of any velocity, direction an
       await close();
     }
   });
+});
+
+describe('an observer who flies on', () => {
+  const view = VIEWS['0.9 c ahead']!;
+  const step: Vec3 = [0.9, 0, -4];
+  /** After this many pictures at 60 Hz of a slow flight: 0.1 mm and 0.0001 s each. */
+  const later = (n: number) => ({
+    ...view,
+    t: view.t + 1e-4 * n,
+    position: addScaled(view.position, step, 3e-5 * n),
+  });
+
+  it('sees far things at rest from the capture, near and moving ones drawn, and nothing farther than half a pixel beside its place', async () => {
+    const { renderer } = headless;
+    const other = renderer.beside();
+    await other.setScene(SCENE);
+    const drawnObjects: number[] = [];
+    for (let n = 0; n <= 10; n++) {
+      const drawn = await picture(renderer, later(n), DIRECT, pumpFrame);
+      const captured = await picture(other, later(n), CAPTURED, pumpFrame);
+      const found = difference(drawn, captured);
+      expect(found.same, `picture ${n}`).toBeGreaterThan(0.99);
+      expect(found.light, `picture ${n}`).toBeLessThan(0.02);
+      if (n === 0) expect(captured.triangles).toBe(0);
+      else expect(captured.triangles, `picture ${n}`).toBeGreaterThan(0);
+      drawnObjects.push(other.info.objectsDrawn);
+    }
+    expect(drawnObjects.filter((count) => count > 0 && count < SCENE.objects.length - 2).length).toBeGreaterThan(6);
+    // Where he stays, all is captured again.
+    await picture(other, later(10), CAPTURED, pumpFrame);
+    expect((await picture(other, later(10), CAPTURED, pumpFrame)).triangles).toBe(0);
+    other.dispose();
+  });
+});
+
+it('what a capture does not hold is drawn over it, at its depth: transparent things, layers and stars', async () => {
+  const { renderer } = headless;
+  const other = renderer.beside();
+  for (const each of [renderer, other]) await each.setScene(LAYERED);
+  const view = VIEWS['0.6 c aside']!;
+  const drawn = await picture(renderer, view, DIRECT, pumpFrame);
+  await picture(other, view, CAPTURED, pumpFrame);
+  const captured = await picture(other, view, CAPTURED, pumpFrame);
+  expect(new Set(drawn.object)).toContain(SCENE.objects.length + 2);
+  const { same, light, light90 } = difference(drawn, captured);
+  expect(same).toBeGreaterThan(0.995);
+  expect(light).toBeLessThan(0.02);
+  expect(light90).toBeLessThan(0.05);
+  other.dispose();
+  await renderer.setScene(SCENE);
 });

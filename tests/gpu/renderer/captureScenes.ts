@@ -5,6 +5,8 @@ import type { SceneRenderer } from '../../../src/render/renderer.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, grid, sphere, torus } from '../../../src/scene/mesh/primitives.ts';
+import { brightStars } from '../../../src/scene/stars/brightStars.ts';
+import { EQUATORIAL } from '../../../src/scene/stars/equatorial.ts';
 import type { Scene, Texture } from '../../../src/scene/types.ts';
 import type { Lens } from '../../../src/scene/view/lenses/lenses.ts';
 import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
@@ -68,6 +70,31 @@ export const SCENE: Scene = makeScene({
   ],
 });
 
+/** With what a capture cannot hold. */
+export const LAYERED: Scene = makeScene({
+  ...SCENE,
+  name: 'layered',
+  materials: [
+    ...SCENE.materials,
+    makeMaterial({ name: 'veil', baseColor: [0.2, 0.4, 0.8], opacity: 0.5 }),
+    makeMaterial({
+      name: 'lacquer',
+      baseColor: [0.7, 0.1, 0.1],
+      roughness: 0.6,
+      clearcoat: { factor: 1, roughness: 0.2 },
+    }),
+  ],
+  lights: [
+    ...SCENE.lights,
+    { kind: 'stars', path: '/Stars', stars: brightStars(), orientation: EQUATORIAL, gain: 3e4 },
+  ],
+  objects: [
+    ...SCENE.objects,
+    makeObject({ path: '/Veil', mesh: withMaterial(sphere(1), 3), motion: restingAt([0.5, 0, -5]) }),
+    makeObject({ path: '/Lacquer', mesh: withMaterial(sphere(1), 4), motion: restingAt([2, 0, -6]) }),
+  ],
+});
+
 const EVENT = { t: 0.3, position: [0.3, 0.2, 0.5] as Vec3 };
 const FORTH = multiply(fromAxisAngle([0, 1, 0], 0.3), fromAxisAngle([1, 0, 0], -0.15));
 const BACK = multiply(fromAxisAngle([0, 1, 0], Math.PI), FORTH);
@@ -79,13 +106,14 @@ const at = (beta: Vec3, orientation = FORTH, lens: Lens = LENS): ViewPoint => ({
   lens,
 });
 
-/** Ten velocities, directions and lenses of an observer at one event. */
+/** Eleven velocities, directions and lenses of an observer at one event. */
 export const VIEWS: Readonly<Record<string, ViewPoint>> = {
   'at rest': at([0, 0, 0]),
   '0.3 c ahead': at([0, 0, -0.3]),
   '0.5 c, looking back': at([0, 0, -0.5], BACK),
   '0.9 c ahead': at([0, 0, -0.9]),
   '0.9 c, looking back': at([0, 0, -0.9], BACK),
+  '0.6 c aside': at([0.4, 0.1, -0.43]),
   '0.9 c aside': at([0.8, 0.3, -0.3]),
   '0.99 c ahead': at([0, 0, -0.99]),
   '0.6 c, dome': at([0.3, 0, -0.5], FORTH, { kind: 'fisheye', aperture: Math.PI, elevation: 0.2 }),
