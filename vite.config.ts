@@ -34,6 +34,7 @@ const GALLERY = [
   'drops',
   'plain',
   'rush',
+  'captured',
   'boxes-892',
   'boxes-949',
   'boxes-968',

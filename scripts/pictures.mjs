@@ -29,6 +29,7 @@ const thumbnails = {
   drops: [],
   plain: [],
   rush: ['--exposure', '2.5'],
+  captured: [],
   'boxes-892': [],
   'boxes-949': [],
   'boxes-968': [],

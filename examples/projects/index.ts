@@ -12,7 +12,7 @@ import { layers } from './layers.ts';
 import { lesson } from './lesson.ts';
 import { letters } from './letters.ts';
 import { pendulums } from './pendulums.ts';
-import { accelerations, plain, rush } from './presets.ts';
+import { accelerations, captured, plain, rush } from './presets.ts';
 import { sourceBall, sourceCorrections, sourceSpeeds } from './sourceExperiments.ts';
 import { truth } from './truth.ts';
 import { workshop } from './workshop.ts';
@@ -21,6 +21,7 @@ import { workshop } from './workshop.ts';
 export const projects: Readonly<Record<string, () => GraphDocument>> = {
   plain,
   rush,
+  captured,
   ...accelerations,
   layers,
   checkerboards,

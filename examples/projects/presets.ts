@@ -34,6 +34,31 @@ export const rush = (): GraphDocument => ({
     'The street at 0.9 c from the first picture on, and you stay in place (Look), so that there is time to see: houses that lie behind you lean into view, the middle is blue and far away, the rim red and dark. Press Tab for Free to drive on.',
 });
 
+/** The hall at 0.9 c, out of faces that are drawn once: the pipeline of images instead of geometry. */
+export const captured = (): GraphDocument => ({
+  ...changed(
+    newProject('hall.usdc'),
+    { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -0.9] } },
+    {
+      kind: 'connect',
+      edge: { from: { node: 'start', output: 'observer' }, to: { node: 'scene', input: 'observer' } },
+    },
+    { kind: 'add-node', node: 'capture', type: 'capture', at: [720, 180], params: {} },
+    {
+      kind: 'connect',
+      edge: { from: { node: 'camera', output: 'view' }, to: { node: 'capture', input: 'view' } },
+    },
+    {
+      kind: 'connect',
+      edge: { from: { node: 'capture', output: 'view' }, to: { node: 'rasterize', input: 'view' } },
+    },
+    { kind: 'set-param', node: 'camera', param: 'fieldOfView', value: 75 },
+  ),
+  title: 'Captured hall',
+  lookFor:
+    'The hall at 0.9 c, taken from six faces that were drawn once, at rest. Look around, and change your velocity (W and S) while you stay in place: what surrounds you is the same, only its directions and its light change, and no geometry is drawn. Look back: the texels of the faces are spread there. Remove the node Capture and compare.',
+});
+
 /** One of the three moments of an accelerating vehicle that the immersive paper shows, at its plain boxes. */
 const accelerating = (beta: number): GraphDocument => ({
   ...changed(

@@ -41,6 +41,7 @@ import { spinNode } from './motion/spin.ts';
 import { uniformNode } from './motion/uniform.ts';
 import { ambientOcclusionNode } from './render/ambientOcclusion.ts';
 import { antialiasingNode } from './render/antialiasing.ts';
+import { captureNode } from './render/capture.ts';
 import { deferredLightingNode } from './render/deferredLighting.ts';
 import { depthOfFieldNode } from './render/depthOfField.ts';
 import { falseColorNode } from './render/falseColor.ts';
@@ -114,6 +115,7 @@ const types = [
   relativityConsoleNode,
   sceneCameraNode,
   outsideViewNode,
+  captureNode,
   relativityRasterizeNode,
   rasterizeNode,
   ...stillNodes,

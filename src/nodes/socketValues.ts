@@ -1,6 +1,7 @@
 import type { FrameGraph, FrameGraphPassOf } from '../scene/frameGraph/frameGraph.ts';
 import type { SettingOfNode, ValuesOf } from '../scene/settings/settings.ts';
 import type { CameraCourse, Scene } from '../scene/types.ts';
+import type { CaptureSettings } from '../scene/view/capture.ts';
 import type { PanoramicLens } from '../scene/view/lenses/lenses.ts';
 import type { OutsideCamera } from '../scene/view/outsideCamera.ts';
 import type { FalseColorQuantity } from '../spectrum/falseColor/falseColor.ts';
@@ -30,6 +31,8 @@ export interface CameraView extends RelativisticScene {
   readonly panorama?: PanoramicLens;
   /** Looks at the camera's picture from outside; absent: it is seen through the camera. */
   readonly outside?: OutsideCamera;
+  /** Takes what is seen from a capture; absent: it is drawn. */
+  readonly capture?: CaptureSettings;
 }
 
 /** What the rasterizer is to draw. A description only: the pass runs once per frame. */

@@ -2966,6 +2966,14 @@ const messages: Translation['messages'] = {
   'You have left the scene.': '你已离开场景。',
   'Look at yourself and the world from outside': '从外部观看自己与世界',
   'Outside view': '外部视图',
+  Capture: '捕获',
+  'Draws what surrounds the observer once, as he would see it at rest, and takes from it what he sees at any velocity and in any direction: the surfaces and their events are the same. Light is computed anew. While he moves, what is near, and what moves itself, is drawn as ever. Use Relativity rasterize for it.':
+    '把观察者周围的一切按他静止时所见绘制一次，再从中取得他以任意速度、朝任意方向所见：表面及其事件都相同，光则重新计算。他移动时，近处的物体和自身运动的物体照常绘制。请与“相对论光栅化”一起使用。',
+  'Side of each of the six faces. Behind a fast observer directions are spread apart, and a texel covers several pixels. 0: as fine as the picture.':
+    '六个面各自的边长。在快速观察者的后方，方向被拉开，一个纹素会覆盖多个像素。0：与画面同样精细。',
+  'Greatest error': '最大误差',
+  'When anything would be farther beside its place in the picture because the observer has moved, it is drawn anew.':
+    '如果观察者移动后，有任何东西偏离其在画面中的位置超过此值，就重新绘制。',
   Shows: '显示内容',
   'The world now': '此刻的世界',
   'What is seen': '看到的东西',
@@ -4076,6 +4084,12 @@ const examples: Translation['examples'] = {
     title: '双生子',
     lookFor:
       '金色的表盘以 0.6 c 飞到六光秒外的圆环再返回；红色标记处是它的时间。它回来时显示 16 s，留在家里的表盘显示 20 s。从家里看，它先慢走 16 s，再快走 4 s：转弯处的光要先回来。“时钟”面板列出所见的读数和同时的读数。',
+  },
+  captured: {
+    of: 'Captured hall',
+    title: '捕获的大厅',
+    lookFor:
+      '0.9 c 下的大厅，取自静止时一次绘制的六个面。环顾四周，并在停留原地时改变速度（W 和 S）：你周围的一切不变，变的只是方向和光，不再绘制任何几何体。向后看：那里各面的纹素被拉开。去掉“捕获”节点，比较一下。',
   },
   checkerboards: {
     of: 'Checkerboards',

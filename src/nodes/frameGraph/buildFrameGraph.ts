@@ -93,13 +93,14 @@ function buildFrameGraph(
 }
 
 export const frameGraphBuffer = (
-  settings: BufferSettings & Pick<FrameGraphBuffer, 'outside'>,
+  settings: BufferSettings & Pick<FrameGraphBuffer, 'outside' | 'capture'>,
   scene: number,
 ): FrameGraphBuffer =>
   ({
     scene,
     ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, settings[name]])),
     ...(settings.outside && { outside: settings.outside }),
+    ...(settings.capture && { capture: settings.capture }),
   }) as FrameGraphBuffer;
 
 /** Adds the missing passes of an image; returns where each of its images is. */

@@ -61,6 +61,7 @@ export function renderSettings(
     ...(scale && picture.falseColor !== 'none' && { falseColors: { kind: picture.falseColor, ...scale } }),
     ...(picture.frameGraph && { frameGraph: exposedFrameGraph(picture.frameGraph, metered, scaleOf) }),
     ...(picture.outside && { outside: picture.outside }),
+    ...(picture.capture && { capture: picture.capture }),
     speedOfLight: picture.speedOfLight,
   };
 }

@@ -15,6 +15,9 @@ export interface CaptureSettings {
   readonly maxError: number;
 }
 
+/** What a capture has if nothing else is said. */
+export const DEFAULT_CAPTURE: CaptureSettings = { texels: 0, maxError: 0.5 };
+
 /** Smallest and largest side of a face [px]; the six of the largest have 1.6 GB on the GPU. */
 export const CAPTURE_TEXELS = { min: 16, max: 2048 } as const;
 /** Largest side that is chosen by the picture. */
