@@ -17,12 +17,12 @@ import { outputNodeId } from '../../nodes/project/outputChain.ts';
 import { PROJECT_FILE_NAME } from '../../nodes/project/projectArchive.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
-import type { FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import { pickSettings, SETTING_NAMES } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import { renderableScene } from '../../scene/validation/renderableScene.ts';
 import { choiceOf } from '../../scene/view/lenses/lensChoice.ts';
 import type { PanoramicLens } from '../../scene/view/lenses/lenses.ts';
+import type { RenderSettings } from '../../scene/view/view.ts';
 import { readFont } from '../files/fonts.ts';
 import { locateScene, openSceneFile } from '../files/sceneFiles.ts';
 import { flagName } from '../flags/viewFlags.ts';
@@ -224,11 +224,11 @@ export function renderJobOf<Flags extends RenderFlags>(
 ): RenderJob<Flags> {
   const isOpen = (name: string): boolean => !given.has(name) && !(given.has('lens') && LENS_FLAGS.includes(name));
   const implied = Object.fromEntries(Object.entries(flagsOf(picture, film)).filter(([name]) => isOpen(name)));
-  const { scenes, frameGraph } = picture;
+  const { scene, scenes, frameGraph, outside, capture } = picture;
   return {
-    scene: picture.scene,
+    scene,
     others: scenes.slice(1),
-    ...(frameGraph && { frameGraph }),
+    projectSettings: { ...(frameGraph && { frameGraph }), ...(outside && { outside }), ...(capture && { capture }) },
     flags: { ...flags, ...implied },
   };
 }
@@ -237,8 +237,8 @@ export interface RenderJob<Flags> {
   readonly scene: Scene;
   /** Scenes of the frame graph's other G-buffers. */
   readonly others: readonly Scene[];
-  /** Undefined for scene files. */
-  readonly frameGraph?: FrameGraph;
+  /** Settings that no flag sets; empty for scene files. */
+  readonly projectSettings: Pick<RenderSettings, 'frameGraph' | 'outside' | 'capture'>;
   readonly flags: Flags;
 }
 

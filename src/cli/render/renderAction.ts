@@ -42,7 +42,7 @@ async function openJob(
 ): Promise<RenderJob<RenderFlags>> {
   if (await isProject(path)) return openProjectJob(path, flags, given, progress.node);
   refuseSets(flags.set);
-  return { scene: await openSceneWithFlags(path, flags), others: [], flags };
+  return { scene: await openSceneWithFlags(path, flags), others: [], projectSettings: {}, flags };
 }
 
 /** Pictures of panoramic lenses have shapes of their own, which the usual size is not. */

@@ -45,7 +45,7 @@ export interface RenderReport {
 
 /** Renders frames and writes them to the output; unfinished files are removed on errors. */
 export async function renderFrames(
-  { scene, others, frameGraph, flags }: RenderJob<RenderFlags>,
+  { scene, others, projectSettings, flags }: RenderJob<RenderFlags>,
   instants: readonly FrameTime[],
   progress: Progress,
   flight?: FilmedFlight,
@@ -66,9 +66,10 @@ export async function renderFrames(
   const standing = observerPathFrom(setup, c, frames[0]!.t);
   const { lens } = standing(frames[0]!.t);
   orRefuse(() => assertLensShape(lens, size), usageError);
-  if (frameGraph) orRefuse(() => assertLensEffects(lens, frameGraph), usageError);
+  const { frameGraph, outside } = projectSettings;
+  if (frameGraph && !outside) orRefuse(() => assertLensEffects(lens, frameGraph), usageError);
   const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
-  const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
+  const settings = { ...renderSettings(flags, c), ...projectSettings };
   const views = (t: number): PictureViews => [observer(t)];
   const request = { settings, metering, size, aovs, views, frames, falseColour, falseRange, legend };
   const sink = await openFrameSink({ ...flags, size: outputSize(request) }, scene);

@@ -2967,6 +2967,7 @@ const messages: Translation['messages'] = {
   'Look at yourself and the world from outside': '从外部观看自己与世界',
   'Outside view': '外部视图',
   Capture: '捕获',
+  Texels: '纹素',
   'Draws what surrounds the observer once, as he would see it at rest, and takes from it what he sees at any velocity and in any direction: the surfaces and their events are the same. Light is computed anew. While he moves, what is near, and what moves itself, is drawn as ever. Use Relativity rasterize for it.':
     '把观察者周围的一切按他静止时所见绘制一次，再从中取得他以任意速度、朝任意方向所见：表面及其事件都相同，光则重新计算。他移动时，近处的物体和自身运动的物体照常绘制。请与“相对论光栅化”一起使用。',
   'Side of each of the six faces. Behind a fast observer directions are spread apart, and a texel covers several pixels. 0: as fine as the picture.':

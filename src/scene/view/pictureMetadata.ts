@@ -23,7 +23,7 @@ export function observerMetadata({ t, position, u, vantage }: ViewPoint, speedOf
 
 /** The same, with the display settings. `settings` include the metered exposure. */
 export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Record<string, string> {
-  const { falseColors, outside } = settings;
+  const { falseColors, outside, capture } = settings;
   const showsLight = falseColors === undefined || falseColors.kind === 'band';
   return {
     Software: 'Slowlight',
@@ -31,6 +31,7 @@ export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Reco
     ...lensMetadata(view.lens),
     ...settingsMetadata(settings, showsLight),
     ...(outside && { outsideCamera: `${vector(outside.place)} m from the ${outside.follows ? 'observer' : 'origin'}` }),
+    ...(capture && { capture: `moved by ${capture.maxError} px at most` }),
     ...(falseColors && { falseColors: falseColorRange(falseColors) }),
   };
 }
