@@ -10,6 +10,7 @@ import { graphPage } from './page/graphPage.ts';
 import { page } from './page/page.ts';
 import { reference } from './reference/reference.ts';
 import { antialiasing } from './rendering/antialiasing.ts';
+import { capture } from './rendering/capture.ts';
 import { cubic } from './rendering/cubic.ts';
 import { effects } from './rendering/effects.ts';
 import { emission } from './rendering/emission.ts';
@@ -34,6 +35,7 @@ const benches: readonly Bench[] = [
   views,
   outside,
   lenses,
+  capture,
   antialiasing,
   cubic,
   tessellation,
