@@ -16,6 +16,8 @@ import { CaptureSchedule } from './captureSchedule.ts';
 import { ATLAS_GRID, CaptureWarp } from './captureWarp.ts';
 
 const EMPTY = new Scene();
+/** A capture with at most as many times the texels that a picture needs is kept for it. */
+const MAX_FINENESS = 4;
 
 /** What a capture is taken for. */
 export interface CapturableView extends GBufferView {
@@ -44,7 +46,7 @@ export class Capture {
   /** Decides what the next picture takes from the capture, and whether it has to be drawn before. */
   plan({ upload, viewPoint, observation, projection, settings }: CapturableView, size: PictureSize): void {
     if (!settings.capture) return;
-    const side = captureTexels(settings.capture, viewPoint, size);
+    const side = this.sideFor(captureTexels(settings.capture, viewPoint, size), settings.capture.texels > 0);
     this.schedule.next({
       key: `${upload.serial} ${settings.speedOfLight} ${side}`,
       event: observation,
@@ -121,11 +123,17 @@ export class Capture {
   /** Forgets what it holds. */
   reset(): void {
     this.schedule.reset();
+    this.capturable = undefined;
   }
 
   dispose(): void {
     this.atlas.dispose();
     this.warp.dispose();
+  }
+
+  /** A finer one goes on being used: resolutions of pages change while one flies. */
+  private sideFor(asked: number, isFixed: boolean): number {
+    return !isFixed && this.side > asked && this.side <= MAX_FINENESS * asked ? this.side : asked;
   }
 
   private setSide(side: number): void {
