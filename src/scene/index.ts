@@ -38,6 +38,7 @@ export { InputError } from './types.ts';
 export { validate } from './validation/validate.ts';
 export type { CameraState } from './view/camera.ts';
 export { framingCamera, lookAtOrientation, observerFromCamera } from './view/camera.ts';
+export type { CaptureSettings } from './view/capture.ts';
 export type { CubeLayout, CubeLens } from './view/lenses/cubeLens.ts';
 export type { EquirectangularLens } from './view/lenses/equirectangularLens.ts';
 export { domeLens, type FisheyeLens } from './view/lenses/fisheyeLens.ts';
