@@ -1,6 +1,7 @@
 import { pumpFrame } from '../../src/cli/gpu/nodeShim.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
-import { captureTexels, DEFAULT_CAPTURE } from '../../src/scene/view/capture.ts';
+import { DEFAULT_CAPTURE } from '../../src/scene/view/capture.ts';
+import { captureTexels } from '../../src/scene/view/captureBounds.ts';
 import type { RenderSettings } from '../../src/scene/view/view.ts';
 import { type Bench, interleaved } from '../support/bench.ts';
 import { gpu, openRenderer, SETTINGS } from '../support/gpu.ts';

@@ -5,7 +5,7 @@ import type { LightMeterReadings } from '../scene/view/metering.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import type { FalseColorScale } from '../spectrum/falseColor/falseColor.ts';
-import { Capture } from './capture/capture.ts';
+import type { Capture } from './capture/capture.ts';
 import { ColorPipelines } from './color/colorPipelines.ts';
 import { type BufferLight, DeferredPass } from './deferredPass.ts';
 import type { FrameGraphRunner, PassListener } from './frameGraph/frameGraphRunner.ts';
@@ -17,6 +17,7 @@ import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { PassCache } from './gpu/passCache.ts';
 import { FaceGatherer } from './lenses/faceGatherer.ts';
+import { drawOpaque } from './opaqueGeometry.ts';
 import type { PictureParts } from './pictureParts.ts';
 import type { BoundFace, BoundRenderView, PictureSample } from './pictureSample.ts';
 import { type DisplaySettings, displayKey } from './post/display/display.ts';
@@ -95,7 +96,7 @@ export class FrameRenderer {
   /** Draws one sample of a picture: its G-buffers, their light and the frame graph; `onPass` is called after each of its passes. */
   draw(sample: PictureSample, onPass?: PassListener): void {
     const { views, captures, faces, camera } = sample;
-    for (const { capture, faces: own, awaitsBetter } of captures) capture.take(own, camera, awaitsBetter);
+    for (const { capture, faces: own, awaitsBetter } of captures) capture.take(own, camera, awaitsBetter, drawOpaque);
     const { settings } = views[0].view;
     const { frameGraph } = settings;
     const runner = frameGraph && this.runnerFor(frameGraph);
@@ -177,7 +178,7 @@ export class FrameRenderer {
 
   /** The capture of a G-buffer. */
   capture(buffer: number): Capture {
-    this.captures[buffer] ??= new Capture(this.gpu, this.uniforms);
+    this.captures[buffer] ??= new this.parts.Capture(this.gpu, this.uniforms);
     return this.captures[buffer];
   }
 

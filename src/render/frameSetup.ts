@@ -13,7 +13,7 @@ import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lenses/
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { hypersurfaceChoice, isLuminous, VIEWS } from '../scene/views/views.ts';
-import { type Capture, captureFaceViewPoint } from './capture/capture.ts';
+import type { Capture } from './capture/capture.ts';
 import type { CapturedGBufferView } from './deferredPass.ts';
 import type { Batch } from './geometry/batches.ts';
 import type { Body } from './geometry/bodies.ts';
@@ -161,9 +161,9 @@ export class FrameSetup {
   private dueCaptureOf(view: RenderView): readonly DueCapture[] {
     const { capture, ...rest } = view;
     if (!capture?.isDue) return [];
-    const { faceLens, faceSize } = capture;
+    const { faceSize } = capture;
     const faces = CUBE_FACES.map((_, face): BoundRenderView => {
-      const viewPoint = captureFaceViewPoint(view.viewPoint, faceLens, face);
+      const viewPoint = capture.faceViewPoint(view.viewPoint, face);
       const observation = { ...view.observation, u: viewPoint.u };
       const faceView: RenderView = { ...rest, viewPoint, observation, face, faceOf: capture };
       const bind = (): void => {

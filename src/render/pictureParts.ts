@@ -1,15 +1,19 @@
 import type { RenderSettings } from '../scene/view/view.ts';
+import type { Capture } from './capture/capture.ts';
 import type { FrameGraphRunner } from './frameGraph/frameGraphRunner.ts';
 import type { GBuffer } from './gbuffer/gbuffer.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import type { PictureOverlay } from './post/display/overlay.ts';
 import type { RendererOptions } from './settings.ts';
 
-type PartSettings = Pick<RenderSettings, 'ghost' | 'pastFuture' | 'frameGraph' | 'outside'>;
+type PartSettings = Pick<RenderSettings, 'ghost' | 'pastFuture' | 'frameGraph' | 'outside' | 'capture'>;
 
 const hasOverlay = ({ ghost, pastFuture }: PartSettings): boolean => ghost !== 'none' || pastFuture;
 
-/** Code that few pictures need, overlays and frame graphs: loaded by the first that does, which is not drawn before. */
+const hasCapture = ({ capture, frameGraph }: PartSettings): boolean =>
+  capture !== undefined || (frameGraph?.extraBuffers.some((buffer) => buffer.capture) ?? false);
+
+/** Code that few pictures need, overlays, frame graphs and captures: loaded by the first that does, which is not drawn before. */
 export class PictureParts {
   private readonly uniforms: FrameUniforms;
   private readonly callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>;
@@ -17,6 +21,7 @@ export class PictureParts {
   private readonly runner = new LazyPart(
     async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner,
   );
+  private readonly capture = new LazyPart(async () => (await import('./capture/capture.ts')).Capture);
 
   /** `onSamples` is called when code is there, `onError` if it cannot be loaded. */
   constructor(uniforms: FrameUniforms, callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>) {
@@ -32,7 +37,7 @@ export class PictureParts {
   }
 
   get isLoading(): boolean {
-    return [this.overlay, this.runner].some(({ code, loading, error }) => loading && !code && !error);
+    return [this.overlay, this.runner, this.capture].some(({ code, loading, error }) => loading && !code && !error);
   }
 
   /** Loads what a picture needs. Rejects if it cannot be loaded. */
@@ -47,13 +52,19 @@ export class PictureParts {
 
   /** Loads everything. */
   async loadAll(): Promise<void> {
-    await Promise.all([this.overlay.load(), this.runner.load()]);
+    await Promise.all([this.overlay.load(), this.runner.load(), this.capture.load()]);
   }
 
   /** Runs frame graphs; for pictures that are ready. */
   get FrameGraphRunner(): typeof FrameGraphRunner {
     if (!this.runner.code) throw new Error('frame graphs are not loaded yet');
     return this.runner.code;
+  }
+
+  /** Captures what surrounds an event; for pictures that are ready. */
+  get Capture(): typeof Capture {
+    if (!this.capture.code) throw new Error('captures are not loaded yet');
+    return this.capture.code;
   }
 
   /** The overlay of a picture that is ready; undefined if it has none. `ghost`: the G-buffer of its ghost. */
@@ -65,7 +76,11 @@ export class PictureParts {
   }
 
   private neededBy(settings: PartSettings): readonly LazyPart<unknown>[] {
-    return [...(hasOverlay(settings) ? [this.overlay] : []), ...(settings.frameGraph ? [this.runner] : [])];
+    return [
+      ...(hasOverlay(settings) ? [this.overlay] : []),
+      ...(settings.frameGraph ? [this.runner] : []),
+      ...(hasCapture(settings) ? [this.capture] : []),
+    ];
   }
 
   private async announced(part: LazyPart<unknown>): Promise<void> {

@@ -1,4 +1,3 @@
-import { readReflectanceCsv } from '../../formats/attributes/spectrumCsv.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
 import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { assignMaterial } from '../../scene/compose/assignMaterial.ts';
@@ -193,6 +192,7 @@ export const materialNode = defineNode({
 });
 
 async function readTable(source: string, services: Services): Promise<MeasuredReflectance> {
+  const { readReflectanceCsv } = await import('../../formats/attributes/spectrumCsv.ts');
   try {
     return readReflectanceCsv(await services.readFile(source), source);
   } catch (error) {

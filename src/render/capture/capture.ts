@@ -1,6 +1,6 @@
 import { type PerspectiveCamera, Scene } from 'three/webgpu';
 import { sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import { captureTexels, pixelsPerRestRadian } from '../../scene/view/capture.ts';
+import { captureTexels, pixelsPerRestRadian } from '../../scene/view/captureBounds.ts';
 import { CUBE_FACES } from '../../scene/view/lenses/cubeFaces.ts';
 import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
@@ -11,7 +11,7 @@ import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { faceOrientation } from '../lenses/cubeFaceViews.ts';
-import { drawOpaque, type GBufferView } from '../opaqueGeometry.ts';
+import type { drawOpaque, GBufferView } from '../opaqueGeometry.ts';
 import { CaptureSchedule } from './captureSchedule.ts';
 import { ATLAS_GRID, CaptureWarp } from './captureWarp.ts';
 
@@ -67,9 +67,10 @@ export class Capture {
     return { width: this.side, height: this.side };
   }
 
-  /** The lens of its faces, which overlap by a texel at each side. */
-  get faceLens(): ViewPoint['lens'] {
-    return perspective(2 * Math.atan(this.side / (this.side - 2)));
+  /** The view point of one of its faces, which overlap by a texel at each side. */
+  faceViewPoint(view: ViewPoint, face: number): ViewPoint {
+    const lens = perspective(2 * Math.atan(this.side / (this.side - 2)));
+    return { ...view, u: ZERO, lens, orientation: faceOrientation(CUBE_FACES[face]!) };
   }
 
   /** Whether the next picture takes a body from the capture. */
@@ -82,11 +83,12 @@ export class Capture {
     return this.schedule.bodies.size === bodies.length;
   }
 
-  /** Draws its faces, each after its `bind`. `isProvisional`: whether they should be drawn again if the observer stays. */
+  /** Draws its faces by `draw`, each after its `bind`. `isProvisional`: whether they should be drawn again if the observer stays. */
   take(
     faces: readonly { readonly view: GBufferView; readonly bind: () => void }[],
     camera: PerspectiveCamera,
     isProvisional: () => boolean,
+    draw: typeof drawOpaque,
   ): void {
     const { side, atlas } = this;
     this.clear(camera);
@@ -98,7 +100,7 @@ export class Capture {
         target.scissor.copy(target.viewport);
         target.scissorTest = true;
       }
-      drawOpaque(this.gpu, view, atlas, camera, true);
+      draw(this.gpu, view, atlas, camera, true);
     });
     this.schedule.taken(isProvisional());
   }
@@ -152,11 +154,3 @@ export class Capture {
     return this.capturable.bodies;
   }
 }
-
-/** A view of one of its faces. */
-export const captureFaceViewPoint = (view: ViewPoint, lens: ViewPoint['lens'], face: number): ViewPoint => ({
-  ...view,
-  u: ZERO,
-  lens,
-  orientation: faceOrientation(CUBE_FACES[face]!),
-});

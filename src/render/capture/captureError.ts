@@ -1,5 +1,5 @@
 import { sub } from '../../math/vec3.ts';
-import { parallaxBound } from '../../scene/view/capture.ts';
+import { parallaxBound } from '../../scene/view/captureBounds.ts';
 import type { Body } from '../geometry/bodies.ts';
 import type { Observation } from '../geometry/observation.ts';
 import { isAlwaysStatic } from '../shadows/distant/staticDistantShadows.ts';

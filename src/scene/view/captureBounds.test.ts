@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { fromAxisAngle, rotate } from '../../math/quat.ts';
 import { add, addScaled, cross, dot, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { aberrate, unaberrate } from '../../physics/optics/aberration.ts';
-import { parallaxBound, pixelsPerRestRadian } from './capture.ts';
+import { parallaxBound, pixelsPerRestRadian } from './captureBounds.ts';
 import { lensDirection, lensPixel } from './lenses/lenses.ts';
 import { perspective } from './lenses/perspectiveLens.ts';
 
