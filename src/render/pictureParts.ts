@@ -13,15 +13,19 @@ const hasOverlay = ({ ghost, pastFuture }: PartSettings): boolean => ghost !== '
 const hasCapture = ({ capture, frameGraph }: PartSettings): boolean =>
   capture !== undefined || (frameGraph?.extraBuffers.some((buffer) => buffer.capture) ?? false);
 
-/** Code that few pictures need, overlays, frame graphs and captures: loaded by the first that does, which is not drawn before. */
+/** Code that few pictures need: overlays, frame graphs and captures. All renderers share it. */
+const PARTS = {
+  overlay: lazyPart(async () => (await import('./post/display/makeOverlay.ts')).makeOverlay),
+  runner: lazyPart(async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner),
+  capture: lazyPart(async () => (await import('./capture/capture.ts')).Capture),
+};
+
+/** What a renderer uses of it: loaded by the first picture that needs it, which is not drawn before. */
 export class PictureParts {
   private readonly uniforms: FrameUniforms;
   private readonly callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>;
-  private readonly overlay = new LazyPart(async () => (await import('./post/display/makeOverlay.ts')).makeOverlay);
-  private readonly runner = new LazyPart(
-    async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner,
-  );
-  private readonly capture = new LazyPart(async () => (await import('./capture/capture.ts')).Capture);
+  /** Those that its pictures have waited for. */
+  private readonly wanted = new Set<LazyPart<unknown>>();
 
   /** `onSamples` is called when code is there, `onError` if it cannot be loaded. */
   constructor(uniforms: FrameUniforms, callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>) {
@@ -31,56 +35,52 @@ export class PictureParts {
 
   /** Whether a picture can be drawn; otherwise loads what it needs. Without overlays that cannot be loaded it is drawn. */
   isReady(settings: PartSettings): boolean {
-    const missing = this.neededBy(settings).filter((part) => !part.code && !(part === this.overlay && part.error));
-    for (const part of missing) if (!part.loading) void this.announced(part);
+    const missing = neededBy(settings).filter((part) => !part.code && !(part === PARTS.overlay && part.error));
+    for (const part of missing)
+      if (!this.wanted.has(part)) {
+        this.wanted.add(part);
+        void this.announced(part);
+      }
     return missing.length === 0;
   }
 
   get isLoading(): boolean {
-    return [this.overlay, this.runner, this.capture].some(({ code, loading, error }) => loading && !code && !error);
+    return [...this.wanted].some(({ code, error }) => !code && !error);
   }
 
   /** Loads what a picture needs. Rejects if it cannot be loaded. */
   async load(settings: PartSettings): Promise<void> {
-    await Promise.all(this.neededBy(settings).map((part) => part.load()));
+    await Promise.all(neededBy(settings).map((part) => part.load()));
   }
 
   /** Loads what runs frame graphs. */
   loadFrameGraphs(): Promise<void> {
-    return this.runner.load();
+    return PARTS.runner.load();
   }
 
   /** Loads everything. */
   async loadAll(): Promise<void> {
-    await Promise.all([this.overlay.load(), this.runner.load(), this.capture.load()]);
+    await Promise.all(Object.values(PARTS).map((part) => part.load()));
   }
 
   /** Runs frame graphs; for pictures that are ready. */
   get FrameGraphRunner(): typeof FrameGraphRunner {
-    if (!this.runner.code) throw new Error('frame graphs are not loaded yet');
-    return this.runner.code;
+    if (!PARTS.runner.code) throw new Error('frame graphs are not loaded yet');
+    return PARTS.runner.code;
   }
 
   /** Captures what surrounds an event; for pictures that are ready. */
   get Capture(): typeof Capture {
-    if (!this.capture.code) throw new Error('captures are not loaded yet');
-    return this.capture.code;
+    if (!PARTS.capture.code) throw new Error('captures are not loaded yet');
+    return PARTS.capture.code;
   }
 
   /** The overlay of a picture that is ready; undefined if it has none. `ghost`: the G-buffer of its ghost. */
   overlayOf(settings: PartSettings, picture: GBuffer, ghost: () => GBuffer): PictureOverlay | undefined {
-    if (!hasOverlay(settings) || !this.overlay.code) return undefined;
+    if (!hasOverlay(settings) || !PARTS.overlay.code) return undefined;
     const { pastFuture } = settings;
     const own = { picture, uniforms: this.uniforms, pastFuture, onlyMoving: settings.outside !== undefined };
-    return this.overlay.code({ ...own, ...(settings.ghost !== 'none' && { ghost: ghost() }) });
-  }
-
-  private neededBy(settings: PartSettings): readonly LazyPart<unknown>[] {
-    return [
-      ...(hasOverlay(settings) ? [this.overlay] : []),
-      ...(settings.frameGraph ? [this.runner] : []),
-      ...(hasCapture(settings) ? [this.capture] : []),
-    ];
+    return PARTS.overlay.code({ ...own, ...(settings.ghost !== 'none' && { ghost: ghost() }) });
   }
 
   private async announced(part: LazyPart<unknown>): Promise<void> {
@@ -94,27 +94,39 @@ export class PictureParts {
   }
 }
 
+function neededBy(settings: PartSettings): readonly LazyPart<unknown>[] {
+  const { overlay, runner, capture } = PARTS;
+  return [
+    ...(hasOverlay(settings) ? [overlay] : []),
+    ...(settings.frameGraph ? [runner] : []),
+    ...(hasCapture(settings) ? [capture] : []),
+  ];
+}
+
 /** Code that is loaded once. */
-class LazyPart<Code> {
-  code: Code | undefined;
-  error: unknown;
-  loading: Promise<void> | undefined;
-  private readonly importCode: () => Promise<Code>;
+interface LazyPart<Code> {
+  readonly code: Code | undefined;
+  readonly error: unknown;
+  load(): Promise<void>;
+}
 
-  constructor(importCode: () => Promise<Code>) {
-    this.importCode = importCode;
-  }
-
-  load(): Promise<void> {
-    this.loading ??= this.importCode().then(
-      (code) => {
-        this.code = code;
-      },
-      (error: unknown) => {
-        this.error = error;
-        throw error;
-      },
-    );
-    return this.loading;
-  }
+function lazyPart<Code>(importCode: () => Promise<Code>): LazyPart<Code> {
+  let loading: Promise<void> | undefined;
+  const part: { code: Code | undefined; error: unknown; load(): Promise<void> } = {
+    code: undefined,
+    error: undefined,
+    load() {
+      loading ??= importCode().then(
+        (code) => {
+          part.code = code;
+        },
+        (error: unknown) => {
+          part.error = error;
+          throw error;
+        },
+      );
+      return loading;
+    },
+  };
+  return part;
 }
