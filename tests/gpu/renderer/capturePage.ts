@@ -1,5 +1,5 @@
 import { SceneRenderer } from '../../../src/render/renderer.ts';
-import { agreement, SCENE } from './captureScenes.ts';
+import { agreement, CAPTURED, SCENE, VIEWS } from './captureScenes.ts';
 
 declare global {
   interface Window {
@@ -11,5 +11,7 @@ declare global {
 window.captureAgreement = async (names) => {
   const renderer = await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
   await renderer.setScene(SCENE);
+  // In a page, the code of captures is loaded by the first picture that needs it.
+  await renderer.precompile([VIEWS['at rest']!], CAPTURED);
   return agreement(renderer, names, () => {});
 };
