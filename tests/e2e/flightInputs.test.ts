@@ -69,7 +69,7 @@ const gamepad = (page: Page): Device => ({
   releaseBrake: () => setPad(page, 0, []),
 });
 
-/** Two fingers that move up to accelerate; down, against the motion. */
+/** Two fingers that move up to accelerate; down, against the motion: gently, so that a slow page does not miss the moment before one flies backwards. */
 async function fingers(page: Page): Promise<Device> {
   const session = await page.context().newCDPSession(page);
   const points = (dy: number) => [250, 350].map((x, id) => ({ x, y: 300 + dy, id }));
@@ -79,7 +79,7 @@ async function fingers(page: Page): Promise<Device> {
       await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(part * dy) });
   };
   const up = async () => void (await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] }));
-  return { push: () => move(-100), letGo: up, brake: () => move(30), releaseBrake: up };
+  return { push: () => move(-100), letGo: up, brake: () => move(10), releaseBrake: up };
 }
 
 async function flies(visit: MonitoredPage, { push, letGo, brake, releaseBrake }: Device): Promise<void> {
