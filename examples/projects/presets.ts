@@ -5,6 +5,15 @@ import { newProject } from '../../src/nodes/project/projectCommands.ts';
 const changed = (document: GraphDocument, ...commands: readonly Command[]): GraphDocument =>
   applyCommand(document, { kind: 'batch', commands }).document;
 
+/** The observer moves ahead from the first picture on. */
+const startingAt = (beta: number): readonly Command[] => [
+  { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -beta] } },
+  {
+    kind: 'connect',
+    edge: { from: { node: 'start', output: 'observer' }, to: { node: 'scene', input: 'observer' } },
+  },
+];
+
 /** The lattice as a non-relativistic renderer draws it: no light delay, no Doppler shift, no aberration. */
 export const plain = (): GraphDocument => ({
   ...changed(
@@ -20,15 +29,12 @@ export const plain = (): GraphDocument => ({
 
 /** All effects: the street at 0.9 c from the first picture on. */
 export const rush = (): GraphDocument => ({
-  ...changed(
-    newProject('street.usdc'),
-    { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -0.9] } },
-    {
-      kind: 'connect',
-      edge: { from: { node: 'start', output: 'observer' }, to: { node: 'scene', input: 'observer' } },
-    },
-    { kind: 'set-param', node: 'camera', param: 'fieldOfView', value: 75 },
-  ),
+  ...changed(newProject('street.usdc'), ...startingAt(0.9), {
+    kind: 'set-param',
+    node: 'camera',
+    param: 'fieldOfView',
+    value: 75,
+  }),
   title: 'Relativistic street',
   lookFor:
     'The street at 0.9 c from the first picture on, and you stay in place (Look), so that there is time to see: houses that lie behind you lean into view, the middle is blue and far away, the rim red and dark. Press Tab for Free to drive on.',
@@ -38,12 +44,8 @@ export const rush = (): GraphDocument => ({
 export const captured = (): GraphDocument => ({
   ...changed(
     newProject('hall.usdc'),
-    { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -0.9] } },
-    {
-      kind: 'connect',
-      edge: { from: { node: 'start', output: 'observer' }, to: { node: 'scene', input: 'observer' } },
-    },
-    { kind: 'add-node', node: 'capture', type: 'capture', at: [720, 180], params: {} },
+    ...startingAt(0.9),
+    { kind: 'add-node', node: 'capture', type: 'capture', at: [1080, 180], params: {} },
     {
       kind: 'connect',
       edge: { from: { node: 'camera', output: 'view' }, to: { node: 'capture', input: 'view' } },
@@ -63,11 +65,7 @@ export const captured = (): GraphDocument => ({
 const accelerating = (beta: number): GraphDocument => ({
   ...changed(
     newProject('boxes.usdc'),
-    { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -beta] } },
-    {
-      kind: 'connect',
-      edge: { from: { node: 'start', output: 'observer' }, to: { node: 'scene', input: 'observer' } },
-    },
+    ...startingAt(beta),
     { kind: 'set-param', node: 'camera', param: 'fieldOfView', value: 75 },
     // The shape alone: the paper has no light of relativity.
     { kind: 'set-param', node: 'rasterize', param: 'dopplerMix', value: 0 },

@@ -1,5 +1,5 @@
 import { type PerspectiveCamera, Scene } from 'three/webgpu';
-import { sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { ZERO } from '../../math/vec3.ts';
 import { captureTexels, pixelsPerRestRadian } from '../../scene/view/captureBounds.ts';
 import { CUBE_FACES } from '../../scene/view/lenses/cubeFaces.ts';
 import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
@@ -83,7 +83,7 @@ export class Capture {
     return this.schedule.bodies.size === bodies.length;
   }
 
-  /** Draws its faces by `draw`, each after its `bind`. `isProvisional`: whether they should be drawn again if the observer stays. */
+  /** Draws its faces, each after its `bind`; by `draw`, which all pictures need and so is not loaded with captures. `isProvisional`: whether they should be drawn again if the observer stays. */
   take(
     faces: readonly { readonly view: GBufferView; readonly bind: () => void }[],
     camera: PerspectiveCamera,
@@ -117,9 +117,7 @@ export class Capture {
 
   /** Fills a G-buffer with what it shows, for the observer and the perspective camera of the uniforms. */
   show({ projection }: GBufferView, to: GBuffer): void {
-    const { shift } = this.schedule;
-    const moved: Vec3 = shift ? sub(shift.to.position, shift.from.position) : ZERO;
-    this.warp.run(this.gpu.renderer, to, this.side, moved, projection.place);
+    this.warp.run(this.gpu.renderer, to, this.side, this.schedule.moved, projection.place);
   }
 
   /** Forgets what it holds. */

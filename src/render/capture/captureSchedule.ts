@@ -1,6 +1,6 @@
-import { addScaled, sub } from '../../math/vec3.ts';
+import { addScaled, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Body } from '../geometry/bodies.ts';
-import { type CaptureEvent, captureError } from './captureError.ts';
+import { type CaptureEvent, captureError, isSameEvent } from './captureError.ts';
 
 /** A capture lasts for as many pictures, if the observer goes on as from the last one; what it cannot hold so long is drawn as geometry. */
 const LASTING_PICTURES = 16;
@@ -35,7 +35,7 @@ export class CaptureSchedule {
   next({ key, event, bodies, maxError }: CaptureRequest): void {
     const { held, last } = this;
     const previous = last?.key === key ? last.event : event;
-    const rests = last?.key === key && isSame(previous, event);
+    const rests = last?.key === key && isSameEvent(previous, event);
     this.last = { key, event };
     const lasts =
       held?.key === key && [...held.bodies].every((each) => captureError(each, held.event, event) <= maxError);
@@ -55,10 +55,10 @@ export class CaptureSchedule {
     return (this.due ?? this.held)?.bodies ?? new Set();
   }
 
-  /** From the event of the capture to that of the picture. */
-  get shift(): { readonly from: CaptureEvent; readonly to: CaptureEvent } | undefined {
+  /** From the place of the capture to that of the picture [m]. */
+  get moved(): Vec3 {
     const from = (this.due ?? this.held)?.event;
-    return from && this.last && { from, to: this.last.event };
+    return from && this.last ? sub(this.last.event.position, from.position) : ZERO;
   }
 
   /** It has been drawn. `isProvisional`: not with the best tessellation. */
@@ -75,9 +75,6 @@ export class CaptureSchedule {
     this.last = undefined;
   }
 }
-
-const isSame = (a: CaptureEvent, b: CaptureEvent): boolean =>
-  a.t === b.t && a.position.every((x, i) => x === b.position[i]);
 
 /** Where an observer will be. */
 const goneOn = (previous: CaptureEvent, event: CaptureEvent): CaptureEvent => ({

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { fromAxisAngle, rotate } from '../../math/quat.ts';
+import { conjugate, fromAxisAngle, rotate } from '../../math/quat.ts';
 import { add, addScaled, cross, dot, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { aberrate, unaberrate } from '../../physics/optics/aberration.ts';
 import { parallaxBound, pixelsPerRestRadian } from './captureBounds.ts';
@@ -50,7 +50,7 @@ it('bounds how far a small angle at rest moves anything in the picture, at any v
         const moved = normalize(add(atRest, scale(cross(atRest, aside), 1e-6)));
         const angle = angleBetween(atRest, moved);
         fc.pre(angle > 1e-7);
-        const back = rotate([-orientation[0], -orientation[1], -orientation[2], orientation[3]], aberrate(moved, u));
+        const back = rotate(conjugate(orientation), aberrate(moved, u));
         const [px, py] = lensPixel(lens, back, size)!;
         const bound = pixelsPerRestRadian({ lens, orientation }, u, size);
         expect(Math.hypot(px - x, py - y)).toBeLessThanOrEqual(bound * angle * 1.001 + 1e-7);

@@ -36,7 +36,7 @@ const CHECKER: Texture = {
 
 const resting = (path: string, position: Vec3, size: number) =>
   makeObject({ path, mesh: box([size, size, size]), motion: restingAt(position) });
-/** On all sides, with a sun and a lamp; one in flight, one that turns. */
+/** On all sides, with a sun and a lamp; one glows, one is in flight. */
 export const SCENE: Scene = makeScene({
   name: 'around',
   materials: [
