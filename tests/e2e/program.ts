@@ -221,7 +221,7 @@ export class MonitoredPage {
 
   private async picture(): Promise<DecodedPng> {
     const style =
-      '.sl-hint, .sl-caption, .sl-legend, .sl-crosshair, .sl-notices, .sl-busy, .sl-picture::after { visibility: hidden !important }';
+      '.sl-hint, .sl-caption, .sl-legend, .sl-crosshair, .sl-notices, .sl-busy, .sl-vignette, .sl-picture::after { visibility: hidden !important }';
     return decode(await this.page.locator('.sl-canvas').screenshot({ style }));
   }
 }
