@@ -35,6 +35,8 @@ const GALLERY = [
   'plain',
   'rush',
   'captured',
+  'texture-cube',
+  'texture-hall',
   'boxes-892',
   'boxes-949',
   'boxes-968',

@@ -1,6 +1,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { encodeTexture } from '../src/formats/image/encodeTexture.ts';
 import { sceneLayer, writeCrate, writeTextures, writeUsda } from '../src/formats/usd/index.ts';
 import type { GraphDocument } from '../src/graph/document/document.ts';
 import { serializeDocument } from '../src/graph/document/serialize.ts';
@@ -10,6 +11,7 @@ import type { Scene, Texture } from '../src/scene/types.ts';
 import { validate } from '../src/scene/validation/validate.ts';
 import type { ExampleScene } from './kit/example.ts';
 import { packLayer } from './kit/pack.ts';
+import { panoramas } from './panoramas/index.ts';
 import { projects } from './projects/index.ts';
 import { scenes } from './scenes/index.ts';
 import { sets } from './sets/index.ts';
@@ -19,13 +21,17 @@ const folder = fileURLToPath(new URL('../../../examples/', import.meta.url));
 
 for (const name of chosen(process.argv.slice(2))) {
   const project = projects[name];
+  const panorama = panoramas[name];
   if (project) writeProject(name, project());
+  else if (panorama) writePanorama(panorama());
   else if (sets.some((set) => set.name === name)) write(find(sets, name), 'sets/');
   else write(find(scenes, name));
 }
 
 function chosen(names: readonly string[]): readonly string[] {
-  return names.length > 0 ? names : [...[...scenes, ...sets].map(({ name }) => name), ...Object.keys(projects)];
+  return names.length > 0
+    ? names
+    : [...[...scenes, ...sets].map(({ name }) => name), ...Object.keys(panoramas), ...Object.keys(projects)];
 }
 
 function find(among: readonly ExampleScene[], name: string): ExampleScene {
@@ -60,6 +66,12 @@ function write({ name, make, texturesOf = name, readable = false }: ExampleScene
 function writeProject(name: string, document: GraphDocument): void {
   writeFileSync(join(folder, `${name}.slowlight.json`), serializeDocument(document));
   console.log(`${name}.slowlight.json  ${Object.keys(document.nodes).length} nodes`);
+}
+
+function writePanorama({ name, width, height, data }: Texture): void {
+  const bytes = encodeTexture(width, height, data);
+  writeFileSync(join(folder, 'panoramas', name), bytes);
+  console.log(`panoramas/${name}  ${(bytes.length / 1024).toFixed(0)} KiB`);
 }
 
 /** The scenes share a folder of textures, so the names of textures begin with that of the scene. */

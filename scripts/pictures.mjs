@@ -68,7 +68,7 @@ const pictures = [
     `false-${what}`,
     ['--size', '480x270', '--beta=-0.1,0,-0.5', '--false-colour', what, '--legend'],
   ]),
-  ...['spectral', 'approximate', 'two-wavelengths', 'shifted-primaries'].map((colors) => [
+  ...['spectral', 'approximate', 'two-wavelengths', 'linear-spectrum'].map((colors) => [
     'street',
     `colors-${colors}`,
     ['--size', '480x270', '--time', '5', '--beta', '0,0,-0.35', '--colors', colors],

@@ -14,6 +14,7 @@ import { letters } from './letters.ts';
 import { pendulums } from './pendulums.ts';
 import { accelerations, captured, plain, rush } from './presets.ts';
 import { sourceBall, sourceCorrections, sourceSpeeds } from './sourceExperiments.ts';
+import { textureCube, textureHall } from './textureMapping.ts';
 import { truth } from './truth.ts';
 import { workshop } from './workshop.ts';
 
@@ -22,6 +23,8 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   plain,
   rush,
   captured,
+  'texture-cube': textureCube,
+  'texture-hall': textureHall,
   ...accelerations,
   layers,
   checkerboards,

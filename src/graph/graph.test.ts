@@ -190,6 +190,17 @@ describe('the document', () => {
     }
   });
 
+  it('migrates the colours that a linear spectrum replaces (5)', () => {
+    const nodes = {
+      rasterize: { type: 'relativity-rasterize', params: { colors: 'shifted-primaries', beaming: 0 } },
+      other: { type: 'other', params: { colors: 'shifted-primaries' } },
+    };
+    const level = { nodes, edges: {}, layout: {}, notes: {}, frames: {} };
+    const now = readDocument({ format: 'slowlight', version: 5, ...level, groups: {}, files: {} });
+    expect(now.nodes.rasterize!.params).toEqual({ colors: 'linear-spectrum', beaming: 0 });
+    expect(now.nodes.other!.params).toEqual({ colors: 'shifted-primaries' });
+  });
+
   it('migrates step by step', () => {
     const steps = {
       1: (data: Record<string, unknown>) => ({ ...data, trace: '1' }),

@@ -9,7 +9,7 @@
 
 export { dopplerTint } from './color/dopplerTint.ts';
 export { glowColor } from './color/glowColor.ts';
-export { primaryShift, twoWavelengthShift } from './color/historicalShifts.ts';
+export { linearSpectrumShift, twoWavelengthShift } from './color/historicalShifts.ts';
 export { toneMapAgx, toneMapLinear, toneMapNeutral } from './color/toneMap.ts';
 export { hyperbolicEmission } from './emission/hyperbolicEmission.ts';
 export { newtonEmission } from './emission/newtonEmission.ts';

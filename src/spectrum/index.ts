@@ -11,7 +11,7 @@ export { colorOfSpectrum, LUMINANCE_WEIGHTS, observedColor, toLinearSrgb } from 
 export { P3_TO_XYZ, SRGB_TO_P3, SRGB_TO_XYZ, XYZ_TO_P3, XYZ_TO_SRGB } from './display/rgbSpaces.ts';
 export { type ToneMapping, toneMap } from './display/toneMap.ts';
 export { dopplerTint } from './doppler/dopplerTint.ts';
-export { primaryShift, twoWavelengthShift } from './doppler/historicalShifts.ts';
+export { linearSpectrumShift, twoWavelengthShift } from './doppler/historicalShifts.ts';
 export type { FalseColorQuantity, FalseColorScale, ValueRange } from './falseColor/falseColor.ts';
 export { colorMatching, tristimulus, VISIBLE, WAVELENGTHS } from './observer/standardObserver.ts';
 export { MATERIAL_PRESETS, type MaterialPreset } from './reflectance/materialPresets.ts';

@@ -203,7 +203,7 @@ export const emptyGraph = (): Graph => ({ nodes: {}, edges: {}, layout: {}, note
 /**
  * A project without nodes.
  * @example
- * emptyDocument(); // { format: 'slowlight', version: 5 }
+ * emptyDocument(); // { format: 'slowlight', version: 6 }
  */
 export const emptyDocument = (): GraphDocument => ({
   format: 'slowlight',

@@ -1,4 +1,4 @@
-export const CURRENT_VERSION = 5;
+export const CURRENT_VERSION = 6;
 
 type Migration = (data: Record<string, unknown>) => Record<string, unknown>;
 
@@ -8,6 +8,7 @@ const MIGRATIONS: Readonly<Record<number, Migration>> = {
   2: migrateToGroupsAndGeometry,
   3: (data) => migrateLevels(data, withDeferredLighting),
   4: (data) => migrateLevels(data, withStayInPlace),
+  5: (data) => migrateLevels(data, withLinearSpectrum),
 };
 
 /** Migrates parsed JSON to the current version; anything that is not a document is left for the schema to refuse. */
@@ -177,6 +178,16 @@ function withStayInPlace(level: Record<string, unknown>): Record<string, unknown
 
 const isFilm = (node: unknown): node is { params: Record<string, unknown> } =>
   isRecord(node) && node.type === 'save-video' && isRecord(node.params);
+
+/** 5 → 6: the colours `shifted-primaries` gave way to `linear-spectrum`, the method that they stood for. */
+function withLinearSpectrum(level: Record<string, unknown>): Record<string, unknown> {
+  if (!isRecord(level.nodes)) return level;
+  const nodes = Object.entries(level.nodes).map(([id, node]) => {
+    if (!isRasterizer(node) || node.params.colors !== 'shifted-primaries') return [id, node];
+    return [id, { ...node, params: { ...node.params, colors: 'linear-spectrum' } }];
+  });
+  return { ...level, nodes: Object.fromEntries(nodes) };
+}
 
 /** Non-strings are left for the schema to refuse. */
 const stringOrEmpty = (value: unknown): string => (typeof value === 'string' ? value : '');

@@ -19,7 +19,7 @@ describe('a project that breaks the schema is refused with place, rule and value
     ['no project', [1], 'the file: expected an object, received a list'],
     ['a number', 5, 'the file: expected an object, received a number; it is 5'],
     ['another format', { ...whole, format: 'other' }, 'format: expected "slowlight"; it is "other"'],
-    ['a later version', { ...whole, version: 99 }, 'version: expected 5; it is 99'],
+    ['a later version', { ...whole, version: 99 }, 'version: expected 6; it is 99'],
     ['a missing part', { ...whole, nodes: undefined }, 'nodes: expected an object, received nothing'],
     ['an unknown key', withNode({ colour: 'red' }), 'nodes.n: unknown: "colour"; leave it out'],
     ['unknown keys', { ...whole, a: 1, b: 2 }, 'the file: unknown: "a", "b"; leave it out'],

@@ -241,7 +241,7 @@ describe('copies', () => {
     ['{', /not JSON/],
     ['{"format":"slowlight"}', /no nodes of Slowlight/],
     ['null', /no nodes of Slowlight/],
-    [serializeFragment({ ...copyFragment(chain(), { nodes: ['x'] }), version: 99 as 5 }), /^version/],
+    [serializeFragment({ ...copyFragment(chain(), { nodes: ['x'] }), version: 99 as 6 }), /^version/],
     [
       serializeFragment({ ...copyFragment(chain(), { nodes: ['x'] }), layout: { y: [0, 0] } }),
       /layout.y: there is no node "y"/,

@@ -1838,7 +1838,7 @@ const messages: Translation['messages'] = {
   'how Doppler shifts change colours: by spectra, or for comparison by a simple tint or the methods of two earlier programs':
     '多普勒频移如何改变颜色：按光谱；或供比较，用简单的染色或两个早期程序的方法',
   'Two wavelengths (historical)': '两个波长（历史方法）',
-  'Shifted primaries (historical)': '移动基色（历史方法）',
+  'Linear spectrum (historical)': '线性光谱（历史方法）',
   'this would overwrite {}, the stage that the geometry goes into; choose another file name':
     '这会覆盖 {1}，即要写入的场景文件；请选择其他文件名',
   'Prim path': '基元路径',
@@ -4085,6 +4085,18 @@ const examples: Translation['examples'] = {
     title: '双生子',
     lookFor:
       '金色的表盘以 0.6 c 飞到六光秒外的圆环再返回；红色标记处是它的时间。它回来时显示 16 s，留在家里的表盘显示 20 s。从家里看，它先慢走 16 s，再快走 4 s：转弯处的光要先回来。“时钟”面板列出所见的读数和同时的读数。',
+  },
+  'texture-cube': {
+    of: 'Textures at speed: a cube',
+    title: '高速下的纹理：立方体',
+    lookFor:
+      '0.6 c 下一个棋盘格立方体的内部，由六个面的图片给出。左边是纹理映射论文（Mantiuk 等，2004）的画法：方向正确，颜色按它的简单光谱移动，亮度不变。右边是实际所见：前方比旁边亮得多。用 W 和 S 改变速度：前方的方格缩小，身后的东西进入视野。',
+  },
+  'texture-hall': {
+    of: 'Textures at speed: a hall',
+    title: '高速下的纹理：大厅',
+    lookFor:
+      '0.6 c 下的大厅，取自静止时一次绘制的六个面：这就是纹理映射论文（Mantiuk 等，2004）的流程，只是每个表面的光重新计算，而不是存下颜色。左边是论文的颜色和亮度，右边是实际所见。用 W 和 S 改变速度，并环顾四周：只要停留原地，就不绘制任何几何体。去掉“捕获”节点，比较一下。',
   },
   captured: {
     of: 'Captured hall',

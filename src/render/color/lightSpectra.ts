@@ -35,7 +35,7 @@ export const lightColorsOf = ({
 }: Pick<SpectrumLight, 'color' | 'spectrum'>): LightColors => ({
   approximate: color,
   'two-wavelengths': color,
-  'shifted-primaries': color,
+  'linear-spectrum': color,
   spectral: spectrum === DAYLIGHT ? color : lightFilter(color, spectrum).rgb,
 });
 

@@ -1,7 +1,7 @@
 import { abs, exp2, If, vec3, vec4 } from 'three/tsl';
 import { dopplerTint } from '../../shaders/color/dopplerTint.ts';
 import { glowColor } from '../../shaders/color/glowColor.ts';
-import { primaryShift, twoWavelengthShift } from '../../shaders/color/historicalShifts.ts';
+import { linearSpectrumShift, twoWavelengthShift } from '../../shaders/color/historicalShifts.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
 import { MIN_SHIFT, type RgbColorMode, SHIFTS_EACH_LIGHT } from '../../spectrum/doppler/rgbShifts.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
@@ -72,7 +72,7 @@ export const unshiftedPipeline = (glowing: boolean): ColorPipeline => srgbPipeli
 const SHIFTS: Readonly<Record<RgbColorMode, (rgb: Vec3, D: Float, amount: Float) => Vec3>> = {
   approximate: dopplerTint,
   'two-wavelengths': twoWavelengthShift,
-  'shifted-primaries': primaryShift,
+  'linear-spectrum': linearSpectrumShift,
 };
 
 /** Colours without spectra (spectrum/doppler/rgbShifts.ts). Colour and brightness follow D by the fractions in the settings. */

@@ -95,7 +95,7 @@ export const SETTINGS = {
       spectral: msg`Spectral`,
       approximate: msg`Approximate`,
       'two-wavelengths': msg`Two wavelengths (historical)`,
-      'shifted-primaries': msg`Shifted primaries (historical)`,
+      'linear-spectrum': msg`Linear spectrum (historical)`,
     },
     nodes: ['relativity-rasterize'],
     flag: {

@@ -1,5 +1,11 @@
-import { clamp, exp, Fn, float, log, max, min, pow, select, vec3 } from 'three/tsl';
-import { CHANNEL_POWER, ENDS, MONOCHROMATIC_KNOTS, PRIMARY_KNOTS } from '../../spectrum/doppler/historicalShifts.ts';
+import { clamp, dot, exp, Fn, float, log, max, min, mix, pow, select, vec3 } from 'three/tsl';
+import {
+  CHANNEL_POWER,
+  CORNER_SHARES,
+  ENDS,
+  MONOCHROMATIC_KNOTS,
+  SPECTRUM_CORNERS,
+} from '../../spectrum/doppler/historicalShifts.ts';
 import type { Float, Vec3 } from '../types.ts';
 
 /** Far beyond it nothing is visible. */
@@ -60,39 +66,24 @@ export const twoWavelengthShift = Fn(
   { rgb: 'vec3', D: 'float', amount: 'float', return: 'vec3' },
 );
 
-/** A hat over its neighbours. */
-function response(knot: number, wavelength: Float): Float {
-  const [from, at, to] = [PRIMARY_KNOTS[knot - 1]!, PRIMARY_KNOTS[knot]!, PRIMARY_KNOTS[knot + 1]!];
-  return max(
-    min(
-      wavelength.sub(from).div(at - from),
-      wavelength
-        .negate()
-        .add(to)
-        .div(to - at),
-    ),
-    0,
-  );
-}
-
 /**
- * `primaryShift` of spectrum/doppler/historicalShifts.ts. `rgb` linear sRGB, D > 0, `amount` 0…1.
+ * `linearSpectrumShift` of spectrum/doppler/historicalShifts.ts. `rgb` linear sRGB, D > 0, `amount` 0…1.
  * @example
  * import { float, vec3 } from 'three/tsl';
- * // A green wall at D = 1.2, each primary shifted by itself.
- * const color = primaryShift(vec3(0, 1, 0), float(1.2), float(1));
+ * // A green wall at D = 1.2, its spectrum straight between the channels.
+ * const color = linearSpectrumShift(vec3(0, 1, 0), float(1.2), float(1));
  */
-export const primaryShift = Fn(
+export const linearSpectrumShift = Fn(
   ([rgb, D, amount]: [Vec3, Float, Float]): Vec3 => {
-    const stretch = stretchOf(D, amount);
-    const [, blue, green, red] = PRIMARY_KNOTS;
-    const seen = [red, green, blue].map((at) => stretch.mul(at).toVar());
-    const channel = (k: number): Float =>
-      rgb.x
-        .mul(response(k, seen[0]!))
-        .add(rgb.y.mul(response(k, seen[1]!)))
-        .add(rgb.z.mul(response(k, seen[2]!)));
-    return vec3(channel(3), channel(2), channel(1));
+    const [ultraviolet, blue, green, red, infrared] = SPECTRUM_CORNERS;
+    const seen = vec3(red, green, blue).div(stretchOf(D, amount)).toVar();
+    const values = CORNER_SHARES.map((shares) => vec3(dot(rgb, vec3(...shares))));
+    // Of the straight pieces those below are at their ends, and those above have not begun.
+    const inside = SPECTRUM_CORNERS.slice(1).reduce((spectrum: Vec3, to, i) => {
+      const from = SPECTRUM_CORNERS[i]!;
+      return mix(spectrum, values[i + 1]!, clamp(seen.sub(from).div(to - from), 0, 1));
+    }, values[0]!);
+    return inside.mul(min(seen.div(ultraviolet), 1)).mul(min(vec3(infrared).div(seen), 1));
   },
   { rgb: 'vec3', D: 'float', amount: 'float', return: 'vec3' },
 );

@@ -3,7 +3,7 @@ import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import * as spectrum from '../../spectrum/index.ts';
 import { dopplerTint } from '../color/dopplerTint.ts';
 import { glowColor } from '../color/glowColor.ts';
-import { primaryShift, twoWavelengthShift } from '../color/historicalShifts.ts';
+import { linearSpectrumShift, twoWavelengthShift } from '../color/historicalShifts.ts';
 import { toneMapAgx, toneMapLinear, toneMapNeutral } from '../color/toneMap.ts';
 import { absolute, always } from './checks.ts';
 import { casesOf, logUniform, vec3At } from './inputs.ts';
@@ -67,7 +67,7 @@ const toneMapTwin = (name: string, tone: ToneMapping, gpu: typeof toneMapNeutral
 });
 
 const historicalTwin = (
-  name: 'twoWavelengthShift' | 'primaryShift',
+  name: 'twoWavelengthShift' | 'linearSpectrumShift',
   cpu: typeof spectrum.twoWavelengthShift,
   gpu: typeof twoWavelengthShift,
   error: number,
@@ -88,7 +88,7 @@ const historicalTwin = (
 export const colorTwins: readonly Twin[] = [
   dopplerTintTwin,
   historicalTwin('twoWavelengthShift', spectrum.twoWavelengthShift, twoWavelengthShift, 1e-3),
-  historicalTwin('primaryShift', spectrum.primaryShift, primaryShift, 1e-4),
+  historicalTwin('linearSpectrumShift', spectrum.linearSpectrumShift, linearSpectrumShift, 1e-4),
   glowColorTwin,
   toneMapTwin('toneMapNeutral', 'neutral', toneMapNeutral),
   toneMapTwin('toneMapAgx', 'agx', toneMapAgx),

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../math/vec3.ts';
-import { primaryShift, twoWavelengthShift } from './historicalShifts.ts';
+import { linearSpectrumShift, twoWavelengthShift } from './historicalShifts.ts';
 
 /** Bruton's colours of wavelengths as that program has them, case by case. */
 function colorOf(nm: number): Vec3 {
@@ -66,26 +66,59 @@ describe('two wavelengths', () => {
   });
 });
 
-describe('shifted primaries', () => {
+describe('a linear spectrum', () => {
   const unit = fc.double({ min: 0, max: 1, noNaN: true });
+  const shift = fc.double({ min: 0.2, max: 5, noNaN: true });
 
-  it('leave colours at D = 1, and are linear', () => {
+  it('leaves colours at D = 1, and is linear', () => {
     fc.assert(
-      fc.property(unit, unit, unit, fc.double({ min: 0.5, max: 2, noNaN: true }), (r, g, b, D) => {
-        expectColor(primaryShift([r, g, b], 1, 1), [r, g, b]);
-        const parts = [primaryShift([r, 0, 0], D, 1), primaryShift([0, g, 0], D, 1), primaryShift([0, 0, b], D, 1)];
+      fc.property(unit, unit, unit, shift, (r, g, b, D) => {
+        expectColor(linearSpectrumShift([r, g, b], 1, 1), [r, g, b]);
+        const parts = (
+          [
+            [r, 0, 0],
+            [0, g, 0],
+            [0, 0, b],
+          ] as const
+        ).map((part) => linearSpectrumShift(part, D, 1));
         expectColor(
-          primaryShift([r, g, b], D, 1),
+          linearSpectrumShift([r, g, b], D, 1),
           [0, 1, 2].map((k) => parts.reduce((sum, part) => sum + part[k]!, 0)) as unknown as Vec3,
         );
       }),
     );
   });
 
-  it('go from one channel to the next, and then nowhere', () => {
-    expectColor(primaryShift([1, 0, 0], 611 / 549, 1), [0, 1, 0]);
-    expectColor(primaryShift([1, 0, 0], 611 / 580, 1), [0.5, 0.5, 0]);
-    expectColor(primaryShift([0, 1, 0], 549 / 464, 1), [0, 0, 1]);
-    expectColor(primaryShift([1, 1, 1], 2, 1), [0, 0, 0]);
+  it('is one spectrum: what red shows at D, green shows at (700/520) D and blue at (700/460) D', () => {
+    fc.assert(
+      fc.property(unit, unit, unit, shift, (r, g, b, D) => {
+        const [seen] = linearSpectrumShift([r, g, b], D, 1);
+        expect(linearSpectrumShift([r, g, b], (D * 700) / 520, 1)[1]).toBeCloseTo(seen, 9);
+        expect(linearSpectrumShift([r, g, b], (D * 700) / 460, 1)[2]).toBeCloseTo(seen, 9);
+      }),
+    );
+  });
+
+  it('of colours by hand', () => {
+    // Infrared of a red, half of it, at 1000 nm, and ultraviolet of a blue at 340 nm.
+    expectColor(linearSpectrumShift([1, 0, 0], 1000 / 700, 1), [
+      0.5,
+      1 - (0.5 * (5200 / 7 - 700)) / 300,
+      (4600 / 7 - 520) / 180,
+    ]);
+    expect(linearSpectrumShift([0, 0, 1], 340 / 460, 1)[2]).toBeCloseTo(0.5, 12);
+    // White stays white near D = 1, and falls off beyond the ultraviolet and the infrared.
+    const white: Vec3 = [1, 1, 1];
+    expectColor(
+      linearSpectrumShift(white, 0.5, 1),
+      [350, 260, 230].map((at) =>
+        at < 340 ? (0.875 * at) / 340 : 0.875 + (0.125 * (at - 340)) / 120,
+      ) as unknown as Vec3,
+    );
+    expectColor(linearSpectrumShift(white, 4, 1), [875 / 2800, 875 / 2080, 875 / 1840]);
+  });
+
+  it('follows the mix as a power of D', () => {
+    expectColor(linearSpectrumShift([0.9, 0.3, 0.1], 1.44 ** 2, 0.5), linearSpectrumShift([0.9, 0.3, 0.1], 1.44, 1));
   });
 });

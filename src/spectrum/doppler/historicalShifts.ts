@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../math/vec3.ts';
+import { dot, type Vec3 } from '../../math/vec3.ts';
 
 /*
  * How earlier programs shifted colours, for comparison with spectra: neither is right, docs/physics.md §7.10. Linear sRGB of any magnitude, without the D⁴ of
@@ -79,25 +79,34 @@ function twoWavelengths([r, g, b]: Vec3): readonly [Line, Line] {
   ];
 }
 
-/** Where the response of a primary's channel begins, the three primaries blue, green, red, and where it ends [nm]. */
-export const PRIMARY_KNOTS = [379, 464, 549, 611, 673] as const;
+/** Where a spectrum of three channels has its corners: ultraviolet, blue, green, red and infrared [nm]. */
+export const SPECTRUM_CORNERS = [340, 460, 520, 700, 1000] as const;
+/** Its values there, as shares of red, green and blue. */
+export const CORNER_SHARES: readonly Vec3[] = [
+  [1 / 8, 1 / 4, 1 / 2],
+  [0, 0, 1],
+  [0, 1, 0],
+  [1, 0, 0],
+  [1 / 2, 1 / 4, 1 / 8],
+];
 
 /**
- * Each primary as one wavelength, which is shifted and seen by channels that fall linearly to the next primary, after the texture-based method of Mantiuk et
- * al. 2004 (docs/physics.md §14), which shifts components one by one. Identity at D = 1.
+ * A colour as a spectrum S(λ) that runs straight between its three channels and two more, made up of them, in the infrared and the ultraviolet; beyond those
+ * it falls as λ and 1/λ. A channel shows S(Dλ). The method of the texture-based paper by Mantiuk et al. 2004, after the ray tracer Backlight by A. Searle
+ * (docs/physics.md §14). Identity at D = 1.
  * @example
- * primaryShift([0, 1, 0], 549 / 464, 1); // [0, 0, 1]
+ * linearSpectrumShift([1, 0, 0], 700 / 520, 1); // [0.596 …, 1, 0.551 …]
  */
-export function primaryShift(rgb: Vec3, D: number, mix: number): Vec3 {
-  const stretch = D ** -mix;
-  const [, blue, green, red] = PRIMARY_KNOTS;
-  const seen = ([red, green, blue] as const).map((at) => at * stretch);
-  const channel = (k: number): number => rgb.reduce((sum, x, j) => sum + x * response(k, seen[j]!), 0);
-  return [channel(3), channel(2), channel(1)];
-}
-
-/** A hat over its neighbours. */
-function response(knot: number, wavelength: number): number {
-  const [from, at, to] = [PRIMARY_KNOTS[knot - 1]!, PRIMARY_KNOTS[knot]!, PRIMARY_KNOTS[knot + 1]!];
-  return Math.max(0, Math.min((wavelength - from) / (at - from), (to - wavelength) / (to - at)));
+export function linearSpectrumShift(rgb: Vec3, D: number, mix: number): Vec3 {
+  const stretch = D ** mix;
+  const values = CORNER_SHARES.map((shares) => dot(shares, rgb));
+  const [ultraviolet, blue, green, red, infrared] = SPECTRUM_CORNERS;
+  const spectrum = (wavelength: number): number => {
+    const inside = SPECTRUM_CORNERS.findLastIndex((corner) => corner <= wavelength);
+    if (inside < 0) return (values[0]! * wavelength) / ultraviolet;
+    if (inside === 4) return (values[4]! * infrared) / wavelength;
+    const [from, to] = [SPECTRUM_CORNERS[inside]!, SPECTRUM_CORNERS[inside + 1]!];
+    return values[inside]! + ((values[inside + 1]! - values[inside]!) * (wavelength - from)) / (to - from);
+  };
+  return [spectrum(red * stretch), spectrum(green * stretch), spectrum(blue * stretch)];
 }

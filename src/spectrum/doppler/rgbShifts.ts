@@ -1,12 +1,12 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { dopplerTint } from './dopplerTint.ts';
-import { primaryShift, twoWavelengthShift } from './historicalShifts.ts';
+import { linearSpectrumShift, twoWavelengthShift } from './historicalShifts.ts';
 
 /** Colour modes without spectra: light is linear sRGB, and a Doppler shift by D^mix changes its colour, without the D⁴ of beaming. */
 export const RGB_SHIFTS = {
   approximate: dopplerTint,
   'two-wavelengths': twoWavelengthShift,
-  'shifted-primaries': primaryShift,
+  'linear-spectrum': linearSpectrumShift,
 } as const satisfies Readonly<Record<string, (rgb: Vec3, D: number, mix: number) => Vec3>>;
 /** Shifts below this change no pixel, and most surfaces are at rest: colours are left as they are at rest. */
 export const MIN_SHIFT = 1e-5;

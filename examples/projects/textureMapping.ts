@@ -1,0 +1,59 @@
+import { build, type NodeSketch } from './buildProject.ts';
+
+/** 0.6 c, the slower one of the two speeds that the paper shows. */
+const BETA = 0.6;
+
+/** What the texture-based paper (docs/physics.md §14) draws of a view, at the left, and what spectra make of it, at the right; each with its own exposure. */
+const sideBySide = (view: string): Readonly<Record<string, NodeSketch>> => ({
+  paper: {
+    type: 'relativity-rasterize',
+    set: { colors: 'linear-spectrum', beaming: 0 },
+    from: { view },
+  },
+  paperLight: { type: 'deferred-lighting', from: { gbuffer: 'paper.gbuffer' } },
+  paperTone: { type: 'tone-map', from: { image: 'paperLight.image' } },
+  seen: { type: 'relativity-rasterize', from: { view } },
+  seenLight: { type: 'deferred-lighting', from: { gbuffer: 'seen.gbuffer' } },
+  seenTone: { type: 'tone-map', set: { exposure: -0.7 }, from: { image: 'seenLight.image' } },
+  both: {
+    type: 'mix-color',
+    set: { mode: 'split', alpha: 0.5 },
+    from: { below: 'paperTone.image', above: 'seenTone.image' },
+  },
+  output: { type: 'output', from: { image: 'both.image' } },
+});
+
+/** From a file to what an observer sees who moves ahead. */
+const looksAt = (source: string, fieldOfView: number): Readonly<Record<string, NodeSketch>> => ({
+  read: { type: 'read', set: { source } },
+  start: { type: 'observer', set: { beta: [0, 0, -BETA] } },
+  scene: { type: 'scene', from: { geometry: ['read.geometry'], observer: 'start.observer' } },
+  console: { type: 'relativity-console', from: { scene: 'scene.scene' } },
+  camera: { type: 'scene-camera', set: { fieldOfView }, from: { relativity: 'console.relativity' } },
+});
+
+/** The paper's first test scene, as it had it: six pictures of a cube's inside. */
+export const textureCube = () =>
+  build(
+    {
+      title: 'Textures at speed: a cube',
+      lookFor:
+        'The inside of a checkered cube at 0.6 c, as a picture of six faces. At the left as the paper on texture mapping (Mantiuk et al. 2004) had it: directions are right, colours are shifted by its simple spectrum, and brightness is not. At the right what is seen: it is much brighter ahead than aside. Change your speed with W and S: the squares ahead shrink, and what lies behind you comes into view.',
+    },
+    { ...looksAt('panoramas/checkered-cube.png', 100), ...sideBySide('camera.view') },
+  );
+
+/** The paper's second: a hall, which is drawn once into six faces at rest, and seen in them at any velocity. */
+export const textureHall = () =>
+  build(
+    {
+      title: 'Textures at speed: a hall',
+      lookFor:
+        'The hall at 0.6 c, out of six faces that are drawn once, at rest: the pipeline of the paper on texture mapping (Mantiuk et al. 2004), with the light of every surface computed anew instead of colours. At the left the paper’s colours and brightness, at the right what is seen. Change your speed with W and S, and look around: no geometry is drawn while you stay in place. Remove the node Capture and compare.',
+    },
+    {
+      ...looksAt('hall.usdc', 75),
+      capture: { type: 'capture', from: { view: 'camera.view' } },
+      ...sideBySide('capture.view'),
+    },
+  );
