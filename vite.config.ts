@@ -37,6 +37,7 @@ const GALLERY = [
   'captured',
   'texture-cube',
   'texture-hall',
+  'texture-interior',
   'boxes-892',
   'boxes-949',
   'boxes-968',
@@ -50,7 +51,7 @@ const GALLERY = [
 ];
 const SCENES = ['.usda', '.usdc'];
 const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
-const SHIPPED = [...SCENES, '.png', '.webp'];
+const SHIPPED = [...SCENES, '.png', '.webp', '.exr'];
 
 /** The page, and the page without a screen that the command line drives. Nothing inline: it runs under `script-src 'self'`. */
 export default defineConfig({

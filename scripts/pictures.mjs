@@ -1,7 +1,7 @@
 // `npm run pictures`: renders the pictures of README and docs and the gallery's thumbnails with the command line.
 // `npm run pictures -- street` renders those of some scenes. The comparisons of docs/guide/comparing.md are only made by
 // `npm run pictures -- compare` (or the name of one, `compare-moved`), since the reference renderer is slow.
-import { existsSync, mkdirSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { shootGraph } from './pageShots.mjs';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
@@ -30,6 +30,9 @@ const thumbnails = {
   plain: [],
   rush: ['--exposure', '2.5'],
   captured: [],
+  'texture-cube': [],
+  'texture-hall': [],
+  'texture-interior': [],
   'boxes-892': [],
   'boxes-949': [],
   'boxes-968': [],
@@ -73,6 +76,7 @@ const pictures = [
     `colors-${colors}`,
     ['--size', '480x270', '--time', '5', '--beta', '0,0,-0.35', '--colors', colors],
   ]),
+  ['texture-hall', 'texture-hall', []],
   ['dice', 'occlusion-off', ['--size', '480x270', '--occlusion-radius', '0']],
   ['dice', 'occlusion-on', ['--size', '480x270']],
   ['dice', 'dice-seen', []],
@@ -137,12 +141,25 @@ try {
     if (chosen(scene))
       slowlight('diagram', fileOf(scene), '-o', `docs/pictures/${name}.svg`, '--size', '960x540', ...flags);
   if (chosen('graph')) await shootGraph();
+  if (names.includes('interior')) paintInterior();
   for (const comparison of comparisons)
     if (names.includes('compare') || names.includes(comparison[1])) compare(...comparison);
 } catch (error) {
   if (!(error instanceof SetupError)) throw error;
   console.error(`\nnpm run pictures: ${error.message}`);
   process.exit(1);
+}
+
+/** The hall as a panorama of light: three quarters of an hour on two cores, so only when it is asked for. */
+function paintInterior() {
+  const [light, packed] = ['.cache/pictures/interior.exr', '.cache/pictures/interior'];
+  const from = ['--position', '0,2.2,6', '--look-at', '0,2.2,-10', '--beta', '0,0,0', '--time', '4'];
+  const how = ['--pipeline', 'reference', '--samples', '10', '--lens', 'equirectangular', '--size', '768x384'];
+  slowlight('render', fileOf('hall'), '-o', light, '--aov', 'beauty', ...from, ...how);
+  // As the light of a scene it has half as many bits.
+  mkdirSync(join(root, packed), { recursive: true });
+  slowlight('convert', light, `${packed}/surroundings.usda`);
+  copyFileSync(join(root, packed, 'textures/interior.exr'), join(root, 'examples/panoramas/interior.exr'));
 }
 
 /** Renders a picture and packs it. */

@@ -14,7 +14,7 @@ import { letters } from './letters.ts';
 import { pendulums } from './pendulums.ts';
 import { accelerations, captured, plain, rush } from './presets.ts';
 import { sourceBall, sourceCorrections, sourceSpeeds } from './sourceExperiments.ts';
-import { textureCube, textureHall } from './textureMapping.ts';
+import { textureCube, textureHall, textureInterior } from './textureMapping.ts';
 import { truth } from './truth.ts';
 import { workshop } from './workshop.ts';
 
@@ -25,6 +25,7 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   captured,
   'texture-cube': textureCube,
   'texture-hall': textureHall,
+  'texture-interior': textureInterior,
   ...accelerations,
   layers,
   checkerboards,

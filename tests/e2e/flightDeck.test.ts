@@ -175,6 +175,38 @@ describe('the flight deck', () => {
     await visit.close();
   });
 
+  it('draws once for all velocities: at one event the same is seen with no triangle drawn, at rest and in motion; an edit that can be undone', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    await visit.viewport.focus();
+    // Look: one stays in place, and cruises.
+    await page.keyboard.press('Tab');
+    await page.getByRole('button', { name: 'Lock: Look' }).waitFor();
+    await page.keyboard.press('c');
+    const rest = await (await visit.finest()).pixels();
+    await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.3));
+    const fast = await (await visit.finest()).pixels();
+    expect(difference(fast, rest)).toBeGreaterThan(5);
+    const deck = await openDeck(visit);
+    const imageBased = deck.getByRole('switch', { name: 'Image-based: drawn once for all velocities' });
+    await imageBased.press('Space');
+    await expect.poll(() => visit.triangles()).toBe(0);
+    await page.keyboard.press('Escape');
+    await deck.waitFor({ state: 'detached' });
+    expect(difference(await (await visit.finest()).pixels(), fast)).toBeLessThan(2);
+    await visit.viewport.focus();
+    await hold(page, ['z'], () => expect.poll(() => visit.speed()).toBe(0));
+    expect(await visit.triangles()).toBe(0);
+    expect(difference(await (await visit.finest()).pixels(), rest)).toBeLessThan(2);
+    await visit.shot('flight-captured');
+    await page.getByRole('button', { name: /^Undo: draw once/ }).click();
+    await expect.poll(() => visit.triangles()).toBeGreaterThan(0);
+    expect(difference(await (await visit.finest()).pixels(), rest)).toBeLessThan(1);
+    await openDeck(visit);
+    expect(await imageBased.isChecked()).toBe(false);
+    await visit.close();
+  });
+
   it('records, replays and scrubs; a key takes over; nothing for axe to complain about', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const { page } = visit;

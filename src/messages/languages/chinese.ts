@@ -1838,6 +1838,9 @@ const messages: Translation['messages'] = {
   'how Doppler shifts change colours: by spectra, or for comparison by a simple tint or the methods of two earlier programs':
     '多普勒频移如何改变颜色：按光谱；或供比较，用简单的染色或两个早期程序的方法',
   'Two wavelengths (historical)': '两个波长（历史方法）',
+  'Image-based: drawn once for all velocities': '基于图像：一次绘制，用于所有速度',
+  'draw once for all velocities': '一次绘制，用于所有速度',
+  'draw at each velocity': '按每个速度绘制',
   'Linear spectrum (historical)': '线性光谱（历史方法）',
   'this would overwrite {}, the stage that the geometry goes into; choose another file name':
     '这会覆盖 {1}，即要写入的场景文件；请选择其他文件名',
@@ -4097,6 +4100,12 @@ const examples: Translation['examples'] = {
     title: '高速下的纹理：大厅',
     lookFor:
       '0.6 c 下的大厅，取自静止时一次绘制的六个面：这就是纹理映射论文（Mantiuk 等，2004）的流程，只是每个表面的光重新计算，而不是存下颜色。左边是论文的颜色和亮度，右边是实际所见。用 W 和 S 改变速度，并环顾四周：只要停留原地，就不绘制任何几何体。去掉“捕获”节点，比较一下。',
+  },
+  'texture-interior': {
+    of: 'Textures at speed: an interior',
+    title: '高速下的纹理：室内',
+    lookFor:
+      '与立方体相同，但用的是高动态范围的全景图，就像相机拍下的那样：由参考渲染器在静止时追踪的大厅。每个纹素只知道颜色，右边把它当作日光下表面的颜色。与捕获的大厅比较：那里光源和材质都是已知的。用 W 和 S 改变速度，并向身后看。',
   },
   captured: {
     of: 'Captured hall',

@@ -8,6 +8,7 @@ import {
   floor,
   If,
   int,
+  inverseSqrt,
   ivec2,
   Loop,
   length,
@@ -29,6 +30,7 @@ import {
 import { AlwaysDepth, NoBlending, NodeMaterial, QuadMesh, Vector3, type WebGPURenderer } from 'three/webgpu';
 import type { Vec3 as Vector } from '../../math/vec3.ts';
 import { CUBE_FACES } from '../../scene/view/lenses/cubeFaces.ts';
+import { boost } from '../../shaders/kinematics/boost.ts';
 import { dopplerFactor } from '../../shaders/kinematics/dopplerFactor.ts';
 import { fullVelocity } from '../../shaders/kinematics/fullVelocity.ts';
 import { unaberrate } from '../../shaders/kinematics/unaberrate.ts';
@@ -69,7 +71,7 @@ interface WarpPass {
 /**
  * Fills G-buffers from an atlas of faces at rest: the direction of each pixel, unaberrated, meets the same surface at the same event; only D and the
  * apparent distance are another observer's. The place is interpolated on the plane of the surface (1/depth is linear on a face), colours are filtered over the
- * pixel's footprint, both only within the object that the nearest texel shows.
+ * pixel's footprint, both only within the surface that most of the four nearest texels show, by their weights: so outlines run from texel to texel, not in steps.
  */
 export class CaptureWarp {
   private readonly atlas: GBuffer;
@@ -168,10 +170,12 @@ export class CaptureWarp {
   /** Discards pixels without a surface. */
   private targetValues(at: AtlasPlace, place: SpacetimeProjection['place']): Record<TargetName, Vec4> {
     const { u, gamma, boostLight } = this.uniforms;
-    const nearest = this.reader(at, floor(at.on));
+    const neighbours = this.neighbours(at);
+    const { texel, among } = shownSurface(neighbours);
+    const nearest = this.reader(at, texel);
     const object = nearest('object').toVar();
     Discard(object.x.lessThan(0.5));
-    const sums = this.interpolated(at, object.x);
+    const sums = interpolated(neighbours, among, at.forward);
     const depth = sums.weight.div(max(sums.nearness, 1e-30));
     const dx = at.direction
       .mul(depth.div(dot(at.direction, at.forward)))
@@ -190,35 +194,25 @@ export class CaptureWarp {
     };
   }
 
-  /** Sums over the four nearest texels that show the object, weighted linearly. `nearness`: 1/depth [1/m]. */
-  private interpolated(at: AtlasPlace, object: Float) {
-    const sums = {
-      weight: float(0).toVar(),
-      nearness: float(0).toVar(),
-      velocity: vec3(0).toVar(),
-      normal: vec3(0).toVar(),
-      invisible: vec2(0).toVar(),
-    };
+  private neighbours(at: AtlasPlace): readonly Neighbour[] {
     const first = floor(at.on.sub(0.5)).toVar();
     const share = at.on.sub(0.5).sub(first).toVar();
-    for (const [dx, dy] of [
-      [0, 0],
-      [1, 0],
-      [0, 1],
-      [1, 1],
-    ] as const) {
-      const read = this.reader(at, first.add(vec2(dx, dy)));
-      const weight = (dx ? share.x : share.x.oneMinus()).mul(dy ? share.y : share.y.oneMinus()).toVar();
-      If(isObject(read('object'), object).and(weight.greaterThan(0)), () => {
-        const { normal, invisible } = unpackNormals(read('normal').toVar());
-        sums.weight.addAssign(weight);
-        sums.nearness.addAssign(weight.div(max(dot(read('event').xyz, at.forward), 1e-20)));
-        sums.velocity.addAssign(read('motion').xyz.mul(weight));
-        sums.normal.addAssign(normal.mul(weight));
-        sums.invisible.addAssign(invisible.mul(weight));
-      });
-    }
-    return sums;
+    return NEIGHBOURS.map(([dx, dy]) => {
+      const texel = first.add(vec2(dx, dy)).toVar();
+      const read = this.reader(at, texel);
+      const { normal, invisible } = unpackNormals(read('normal').toVar());
+      const velocity = read('motion').xyz.toVar();
+      return {
+        texel,
+        weight: (dx ? share.x : share.x.oneMinus()).mul(dy ? share.y : share.y.oneMinus()).toVar(),
+        object: read('object').x.toVar(),
+        event: read('event').toVar(),
+        velocity,
+        gamma: inverseSqrt(fullVelocity(velocity).w).toVar(),
+        normal: normal.toVar(),
+        invisible: invisible.toVar(),
+      };
+    });
   }
 
   /** Base colour and emission, the means of the texels under the footprint, at least one texel wide; codes beside them are the nearest texel's. */
@@ -241,7 +235,7 @@ export class CaptureWarp {
       const covered = min(cell.add(1), low.add(taps)).sub(max(cell, low)).toVar();
       const weight = max(covered.x, 0).mul(max(covered.y, 0)).toVar();
       const read = this.reader(at, floor(cell.add(0.5).mul(stride)));
-      If(weight.greaterThan(0).and(isObject(read('object'), object)), () => {
+      If(weight.greaterThan(0).and(isSame(read('object').x, object)), () => {
         sum.addAssign(read('base').rgb.mul(weight));
         weights.addAssign(weight);
         const emission = read('emissive').toVar();
@@ -266,7 +260,87 @@ export class CaptureWarp {
 
 type TexelReader = (name: TargetName) => Vec4;
 
-const isObject = (texel: Vec4, object: Float): Bool => abs(texel.x.sub(object)).lessThan(0.5);
+const isSame = (a: Float, b: Float): Bool => abs(a.sub(b)).lessThan(0.5);
+
+const NEIGHBOURS = [
+  [0, 0],
+  [1, 0],
+  [0, 1],
+  [1, 1],
+] as const;
+
+/** One of the four nearest texels, with its bilinear weight. */
+interface Neighbour {
+  readonly texel: Vec2;
+  readonly weight: Float;
+  readonly object: Float;
+  /** (Δx, cΔt) from the observer's event at the capture */
+  readonly event: Vec4;
+  readonly velocity: Vec3;
+  readonly gamma: Float;
+  /** In its rest frame. */
+  readonly normal: Vec3;
+  readonly invisible: Vec2;
+}
+
+/** Sine of the greatest angle between a surface and the way to a neighbour on it: beyond it there is an edge, or nothing, between them. */
+const SMOOTH = 0.5;
+
+/** Whether the way from `a` to `b`, at rest with `a`, runs along its surface. */
+function leadsAlong(a: Neighbour, b: Neighbour): Bool {
+  const way = boost(b.event.sub(a.event), a.velocity.mul(a.gamma), a.gamma).xyz.toVar();
+  return abs(dot(way, a.normal)).lessThanEqual(length(way).mul(SMOOTH));
+}
+
+/** The texel that stands for the surface with the greatest weight, the nearest of those that show it; `among`: 1 for each of these. */
+function shownSurface(neighbours: readonly Neighbour[]): { texel: Vec2; among: readonly Float[] } {
+  const alike = neighbours.map((a, i) =>
+    neighbours.map((b, j) => {
+      if (j <= i) return float(i === j ? 1 : 0);
+      const isOne = isSame(a.object, b.object).and(leadsAlong(a, b)).and(leadsAlong(b, a));
+      return select(isOne, float(1), float(0)).toVar();
+    }),
+  );
+  const rows = neighbours.map((_, i) => neighbours.map((__, j) => alike[Math.min(i, j)]![Math.max(i, j)]!));
+  const best = float(-1).toVar();
+  const texel = vec2(0).toVar();
+  const among = neighbours.map(() => float(0).toVar());
+  for (const [i, row] of rows.entries()) {
+    const weights = row.map((one, j) => one.mul(neighbours[j]!.weight));
+    const support = weights.reduce((sum, weight) => sum.add(weight));
+    const score = support.add(neighbours[i]!.weight.mul(OWN_WEIGHT)).toVar();
+    If(score.greaterThan(best), () => {
+      best.assign(score);
+      texel.assign(neighbours[i]!.texel);
+      for (const [j, one] of row.entries()) among[j]!.assign(one);
+    });
+  }
+  return { texel, among };
+}
+/** Decides between texels of one surface only. */
+const OWN_WEIGHT = 1e-3;
+
+/** Sums over the texels of a surface, weighted linearly. `nearness`: 1/depth [1/m]. */
+function interpolated(neighbours: readonly Neighbour[], among: readonly Float[], forward: Vec3) {
+  const sums = {
+    weight: float(0).toVar(),
+    nearness: float(0).toVar(),
+    velocity: vec3(0).toVar(),
+    normal: vec3(0).toVar(),
+    invisible: vec2(0).toVar(),
+  };
+  for (const [i, { weight: bilinear, event, velocity, normal, invisible }] of neighbours.entries()) {
+    const weight = bilinear.mul(among[i]!).toVar();
+    If(weight.greaterThan(0), () => {
+      sums.weight.addAssign(weight);
+      sums.nearness.addAssign(weight.div(max(dot(event.xyz, forward), 1e-20)));
+      sums.velocity.addAssign(velocity.mul(weight));
+      sums.normal.addAssign(normal.mul(weight));
+      sums.invisible.addAssign(invisible.mul(weight));
+    });
+  }
+  return sums;
+}
 
 /** Whether an emission is a colour, and not a code (`packEmission`). */
 const isPlain = ({ x, y, z }: Vec4): Bool => min(x, min(y, z)).greaterThanEqual(0);

@@ -7,6 +7,7 @@ import { FLIGHT_MODES } from '../../../flight/modes/modes.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import { isSolid } from '../../../nodes/flights/sceneObstacles.ts';
+import { captureCommand, isCaptured, removeCaptureCommand } from '../../../nodes/project/captureCommands.ts';
 import { STANDARD_GRAVITY } from '../../../physics/constants.ts';
 import { formatNumber } from '../../format.ts';
 import { useTexts } from '../../language/languageStore.ts';
@@ -38,6 +39,7 @@ export default function FlightDeck(): ReactNode {
   const state = useStore(deck.store);
   const held = useEditorState((editorState) => editorState.held);
   const outsideView = useEditorState((editorState) => editorState.outsideView);
+  const document = useEditorState(({ history }) => history.document);
   const { mode } = state;
   return (
     <Stack gap="xs" w="min(290px, calc(100vw - 64px))" data-flight-deck>
@@ -82,6 +84,16 @@ export default function FlightDeck(): ReactNode {
         label={t(msg`Look at yourself and the world from outside`)}
         checked={outsideView ?? false}
         onChange={({ currentTarget }) => editor.update({ outsideView: currentTarget.checked })}
+      />
+      <Switch
+        size="xs"
+        label={t(msg`Image-based: drawn once for all velocities`)}
+        checked={isCaptured(document)}
+        onChange={({ currentTarget: { checked } }) =>
+          checked
+            ? editor.edit(captureCommand(document), msg`draw once for all velocities`)
+            : editor.edit(removeCaptureCommand(document), msg`draw at each velocity`)
+        }
       />
       <ComfortControls />
       <WallControls deck={deck} state={state} />
