@@ -27,7 +27,7 @@ export function readDocument(data: unknown): GraphDocument {
 /**
  * Reads the text of a project file, of any version. Throws a DocumentError with the place of the first error.
  * @example
- * parseDocument(serializeDocument(emptyDocument())).version; // 5
+ * parseDocument(serializeDocument(emptyDocument())).version; // 6
  */
 export const parseDocument = (text: string): GraphDocument => readDocument(parseJson(text));
 

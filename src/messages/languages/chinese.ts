@@ -1841,6 +1841,12 @@ const messages: Translation['messages'] = {
   'Image-based: drawn once for all velocities': '基于图像：一次绘制，用于所有速度',
   'draw once for all velocities': '一次绘制，用于所有速度',
   'draw at each velocity': '按每个速度绘制',
+  'Test grid': '测试网格',
+  'Lines of equal height and bearing through whatever lens the picture has, those of the horizon and of the direction ahead twice as thick, and the border of the part that is safe to use. For dome masters the zenith is in the middle. Place it after Tone Map.':
+    '透过图像所用的任何镜头画出等高度和等方位的线，地平线和前方方向的线加倍粗，以及可安全使用部分的边框。对穹顶母版，天顶在中间。放在“色调映射”之后。',
+  'Lines every': '线间隔',
+  'Safe part (0: no border)': '安全部分（0：无边框）',
+  'Width of the lines': '线宽',
   'Linear spectrum (historical)': '线性光谱（历史方法）',
   'this would overwrite {}, the stage that the geometry goes into; choose another file name':
     '这会覆盖 {1}，即要写入的场景文件；请选择其他文件名',

@@ -16,6 +16,7 @@ const BUILTIN_EFFECTS = [
   'fog',
   'hue-shift',
   'observer-marks',
+  'lens-grid',
 ] as const satisfies readonly EffectId[];
 
 const EXAMPLE = `// Darker lines, as on an old screen.

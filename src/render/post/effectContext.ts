@@ -158,7 +158,7 @@ export class EffectContext {
   }
 
   /** Place of a pixel's centre in the picture, −1 … 1 to the right and up. */
-  private placeOf(pixel: Vec2): Vec2 {
+  placeOf(pixel: Vec2): Vec2 {
     const ndc = pixel.add(0.5).div(this.image.size).mul(2).sub(1);
     return vec2(ndc.x, ndc.y.negate());
   }

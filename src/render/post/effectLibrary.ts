@@ -8,6 +8,7 @@ import type { Effect } from './effect.ts';
 import { fog } from './fog.ts';
 import { gaussianBlur } from './gaussianBlur.ts';
 import { hueShift } from './hueShift.ts';
+import { lensGrid } from './lensGrid.ts';
 import { observerMarks } from './observerMarks.ts';
 import { sharpen } from './sharpen.ts';
 import { skyBackground } from './skyBackground.ts';
@@ -25,6 +26,7 @@ export const effectLibrary: Readonly<Record<EffectId, Effect>> = {
   fog,
   'hue-shift': hueShift,
   'observer-marks': observerMarks,
+  'lens-grid': lensGrid,
   'depth-of-field': depthOfField,
   antialiasing,
 };

@@ -167,6 +167,18 @@ export const EFFECTS = {
     ],
     reads: ['depth', 'direction'],
   },
+  'lens-grid': {
+    title: msg`Test grid`,
+    help: msg`Lines of equal height and bearing through whatever lens the picture has, those of the horizon and of the direction ahead twice as thick, and the border of the part that is safe to use. For dome masters the zenith is in the middle. Place it after Tone Map.`,
+    category: 'lines',
+    args: [
+      { title: msg`Lines every`, default: 15, min: 1, max: 90, step: 1, unit: '°' },
+      fraction(msg`Safe part (0: no border)`, 0.9),
+      fraction(msg`Opacity`, 0.8),
+      { title: msg`Width of the lines`, default: 1.5, min: 0.5, max: 20, step: 0.5, unit: 'px' },
+    ],
+    reads: [],
+  },
   'depth-of-field': {
     title: msg`Depth of field`,
     help: msg`A thin lens carried by the observer: focuses by the distance of an event in the observer’s frame.`,
@@ -240,6 +252,8 @@ export const OBSERVER_MARKS = {
   edge: [0.01, 0.02, 0.04],
   hidden: 0.4,
 } as const;
+/** Test grid: linear colours of its lines and of the border, and how far apart lines must be to be seen at all, and fully [px]. */
+export const LENS_GRID = { line: [0.75, 0.85, 1], border: [1, 0.3, 0.02], gap: [5, 12] } as const;
 /** Of an inset: its distance from the edges of the picture and its border [px of 1080 rows], and samples per pixel along each axis. */
 export const INSET = { margin: 24, border: 3, color: [0.02, 0.02, 0.02], samples: 4 } as const;
 /** Width of the border of a wipe, as a fraction of the picture. */

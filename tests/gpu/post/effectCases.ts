@@ -12,6 +12,7 @@ import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts
 import type { EffectId, FogColor, MixMode } from '../../../src/scene/frameGraph/effects.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
+import { domeLens } from '../../../src/scene/view/lenses/fisheyeLens.ts';
 import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 
@@ -114,7 +115,15 @@ function shapes(): EffectInput {
   return { ...noise(), image };
 }
 
-const PICTURES = { noise, scene, shapes };
+const PICTURES = {
+  noise,
+  scene,
+  shapes,
+  /** Through other lenses. */
+  dome: (): EffectInput => ({ ...shapes(), view: { ...VIEW, lens: domeLens(3.5, 0.3) } }),
+  around: (): EffectInput => ({ ...shapes(), view: { ...VIEW, lens: { kind: 'equirectangular' } } }),
+  cube: (): EffectInput => ({ ...shapes(), view: { ...VIEW, lens: { kind: 'cube', layout: '3x2' } } }),
+};
 const taken = new Map<string, EffectInput>();
 
 export function pictureOf({ picture, fogColor, observer }: EffectCase): EffectInput {
@@ -323,6 +332,12 @@ export const EFFECT_CASES: readonly EffectCase[] = [
     })),
   ),
   ...both('observer-marks', [2, 0.8, 5]),
+  ...(['scene', 'dome', 'around', 'cube'] as const).map((picture) => ({
+    name: `lens-grid, ${picture}`,
+    of: 'lens-grid' as const,
+    args: [20, 0.85, 1, 1],
+    picture,
+  })),
   ...both('depth-of-field', [4, 300, 12]),
   ...both('depth-of-field', [6, 2000, 24]),
   ...both('antialiasing', [0.1, 16, 0.5]),

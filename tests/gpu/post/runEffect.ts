@@ -13,11 +13,12 @@ import {
   GBUFFER_NORMAL_STEPS,
   NORMAL_LOW_STEPS,
 } from '../../../src/render/gpu/packNormal.ts';
+import { setLensUniforms } from '../../../src/render/lenses/lensUniforms.ts';
 import type { GBufferTextures } from '../../../src/render/post/effectContext.ts';
 import { EffectPasses } from '../../../src/render/post/effectPasses.ts';
 import { EFFECTS } from '../../../src/scene/frameGraph/effects.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
-import { perspectiveOf } from '../../../src/scene/view/lenses/lenses.ts';
+import { isPanoramic } from '../../../src/scene/view/lenses/lenses.ts';
 import { frustumOf } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { AovName } from '../../../src/scene/view/view.ts';
 import { type EffectCase, maskOf, overOf, pictureOf } from './effectCases.ts';
@@ -60,12 +61,15 @@ function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
 /** The uniforms that the renderer sets per picture. */
 export function uniformsOf({ view, image, zenith, sky, settings, observer }: EffectInput) {
   const uniforms = makeFrameUniforms();
-  const { tanX, tanY, center } = frustumOf(perspectiveOf(view.lens), image.width, image.height);
   uniforms.u.value.set(...view.u);
   uniforms.secondsPerMetre.value = 1 / settings.speedOfLight;
   uniforms.gamma.value = gamma(view.u);
-  uniforms.halfTangents.value.set(tanX, tanY);
-  uniforms.frustumCenter.value.set(...center);
+  setLensUniforms(uniforms.lens, view.lens, image);
+  if (!isPanoramic(view.lens)) {
+    const { tanX, tanY, center } = frustumOf(view.lens, image.width, image.height);
+    uniforms.halfTangents.value.set(tanX, tanY);
+    uniforms.frustumCenter.value.set(...center);
+  }
   uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
   uniforms.zenith.value.set(...zenith);
   if (observer) uniforms.toObserver.value.set(...observer);

@@ -10,6 +10,7 @@ import { type EffectInput, type FloatImage, GBufferReader } from './effectInput.
 import { fog } from './fog.ts';
 import { gaussianBlur } from './gaussianBlur.ts';
 import { hueShift } from './hueShift.ts';
+import { lensGrid } from './lensGrid.ts';
 import { mixImages } from './mix.ts';
 import { observerMarks } from './observerMarks.ts';
 import { applyShaderText } from './shaderText.ts';
@@ -30,6 +31,7 @@ const EFFECT_FUNCTIONS: Readonly<Record<EffectId, EffectFunction>> = {
   fog,
   'hue-shift': hueShift,
   'observer-marks': observerMarks,
+  'lens-grid': lensGrid,
   'depth-of-field': depthOfField,
   antialiasing,
 };

@@ -4,7 +4,8 @@ import { velocity } from '../../../physics/lorentz/boost.ts';
 import type { FogColor } from '../../../scene/frameGraph/effects.ts';
 import { backdropColors } from '../../../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../../../scene/lights/skyGradient.ts';
-import { perspectiveOf } from '../../../scene/view/lenses/lenses.ts';
+import { towardsZenith } from '../../../scene/view/lenses/fisheyeLens.ts';
+import { filledSize, lensDirection, perspectiveOf } from '../../../scene/view/lenses/lenses.ts';
 import { type Frustum, frustumOf } from '../../../scene/view/lenses/perspectiveLens.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
 import { cameraRay, directionAt } from '../../camera/cameraRay.ts';
@@ -133,6 +134,22 @@ export class GBufferReader {
     const right = ((x + 0.5) / image.width) * 2 - 1;
     const up = 1 - ((y + 0.5) / image.height) * 2;
     return [right * tanX + center[0], up * tanY + center[1]];
+  }
+
+  /** Direction of a pixel, or of a place in it: unit, on axes whose +Y is the axis of a fisheye, the zenith of a dome, or else the camera's; undefined where the lens shows nothing. */
+  gridDirection(x: number, y: number): Vec3 | undefined {
+    const { lens } = this.input.view;
+    const direction = lensDirection(lens, x + 0.5, y + 0.5, this.image);
+    return direction && lens.kind === 'fisheye' ? towardsZenith(lens, direction) : direction;
+  }
+
+  /** How far a pixel is outside that part of the picture, about its middle [px]; negative inside. */
+  beyondPart(part: number, x: number, y: number): number {
+    const { lens } = this.input.view;
+    const filled = filledSize(lens, this.image);
+    const [right, up] = [x + 0.5 - this.image.width / 2, y + 0.5 - this.image.height / 2];
+    if (lens.kind === 'fisheye') return Math.hypot(right, up) - (part * filled.width) / 2;
+    return Math.max(Math.abs(right) - (part * filled.width) / 2, Math.abs(up) - (part * filled.height) / 2);
   }
 
   /** Direction of the pixel in the picture's space, the observer's frame on world axes carried by the boost: unit; zero where the lens shows nothing. */

@@ -30,6 +30,10 @@ function raised([right, up, back]: Vec3, elevation: number): Vec3 {
   return [right, cosine * up - sine * back, sine * up + cosine * back];
 }
 
+/** A direction on axes that are tilted with the lens: +Y is its axis, the zenith of a dome, and −Z what is at the bottom of the circle. */
+export const towardsZenith = ({ elevation }: FisheyeLens, direction: Vec3): Vec3 =>
+  raised(direction, Math.PI / 2 - elevation);
+
 /** θ = r A/2 with r the distance from the middle over the circle's radius. A pixel has the solid angle (sin θ/θ)(A/d)², d the circle's diameter [px]. */
 export const fisheyeModel: LensModel<FisheyeLens> = {
   directionAt({ aperture, elevation }, [x, y]) {
