@@ -45,6 +45,16 @@ export class Canvas {
     return this;
   }
 
+  /** Every other of `fields` × `fields` squares, from the top left one on. */
+  squares(left: number, top: number, fields: number, side: number, color: string): this {
+    for (let j = 0; j < fields; j++)
+      for (let i = j % 2; i < fields; i += 2) {
+        const [x, y] = [left + i * side, top + j * side];
+        this.rect(x, y, x + side, y + side, color);
+      }
+    return this;
+  }
+
   /** Sets every pixel as a function of u (right) and v (up), 0 … 1. */
   shade(color: (u: number, v: number) => string): this {
     for (let y = 0; y < this.height; y++)
@@ -90,10 +100,8 @@ export class Canvas {
 
 /** A checkerboard of 2 × 2 squares. */
 export function checker(light: string, dark: string, name: string, fields = 2, cell = 32): Texture {
-  const canvas = new Canvas(fields * cell, fields * cell, light);
-  for (let j = 0; j < fields; j++)
-    for (let i = (j + 1) % 2; i < fields; i += 2) canvas.rect(i * cell, j * cell, (i + 1) * cell, (j + 1) * cell, dark);
-  return canvas.texture(name);
+  const side = fields * cell;
+  return new Canvas(side, side, dark).squares(0, 0, fields, cell, light).texture(name);
 }
 
 /** Running bond of `rows` courses; `columns` bricks in each. */

@@ -36,10 +36,11 @@ const looksAt = (
   camera: { type: 'scene-camera', set: { fieldOfView }, from: { relativity: 'console.relativity' } },
 });
 
-/** The same for a panorama whose colours are those of surfaces in daylight. */
+/** Both halves of a panorama whose colours are those of surfaces in daylight. */
 const looksAround = (source: string, fieldOfView: number): Readonly<Record<string, NodeSketch>> => ({
   panorama: { type: 'panorama', set: { source, reading: 'filter' } },
   ...looksAt(source, fieldOfView, { lights: ['panorama.lights'] }),
+  ...sideBySide('camera.view', -0.7),
 });
 
 /** The paper's first test scene, as it had it: six pictures of a cube's inside. */
@@ -50,7 +51,7 @@ export const textureCube = () =>
       lookFor:
         'The inside of a checkered cube at 0.6 c, as a picture of six faces. At the left as the paper on texture mapping (Mantiuk et al. 2004) had it: directions are right, colours are shifted by its simple spectrum, and brightness is not. At the right what is seen: it is much brighter ahead than aside. Change your speed with W and S: the squares ahead shrink, and what lies behind you comes into view.',
     },
-    { ...looksAround('panoramas/checkered-cube.png', 100), ...sideBySide('camera.view', -0.7) },
+    looksAround('panoramas/checkered-cube.png', 100),
   );
 
 /** The paper's second: a hall, which is drawn once into six faces at rest, and seen in them at any velocity. */
@@ -76,5 +77,5 @@ export const textureInterior = () =>
       lookFor:
         'Like the cube, with a panorama of high dynamic range as a camera would take it: the hall, traced by the reference renderer at rest. All that is known of a texel is its colour, which at the right is taken for that of a surface in daylight. Compare with the hall that is captured, where lights and materials are known. Change your speed with W and S, and look behind you.',
     },
-    { ...looksAround('panoramas/interior.exr', 75), ...sideBySide('camera.view', -0.7) },
+    looksAround('panoramas/interior.exr', 75),
   );

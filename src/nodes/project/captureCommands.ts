@@ -1,13 +1,13 @@
-import { type Graph, type GraphDocument, type GraphEdge, graphIn, own } from '../../graph/document/document.ts';
+import { type GraphDocument, type GraphEdge, graphIn, own } from '../../graph/document/document.ts';
 import type { Command } from '../../graph/edits/commands.ts';
 import { insideGroup } from '../../graph/edits/fragment.ts';
 import { FreshKeys } from '../../graph/edits/freshKeys.ts';
 import { locateNode, type NodeLocation } from '../../graph/edits/locateNode.ts';
-import { nodesFeedingOutput } from './outputChain.ts';
+import { nearestToOutput, nodesFeedingOutput } from './outputChain.ts';
+import { oneByOne, removeLinkCommand } from './projectCommands.ts';
 
 /** Whether what a project shows is taken from captures. */
-export const isCaptured = (document: GraphDocument): boolean =>
-  nodesFeedingOutput(document).some(({ type }) => type === 'capture');
+export const isCaptured = (document: GraphDocument): boolean => nearestToOutput(document, 'capture') !== undefined;
 
 /** Takes what a project shows from captures: a Capture node before the rasterizers, one for those that draw the same view. */
 export function captureCommand(document: GraphDocument): Command {
@@ -38,23 +38,13 @@ export function captureCommand(document: GraphDocument): Command {
 }
 
 /** Removes every Capture node of what a project shows: it is drawn again. */
-export function removeCaptureCommand(document: GraphDocument): Command {
-  const commands = placesOf(document, 'capture').map(({ group, node }): Command => {
-    const level = graphIn(document, group)!;
-    const source = drawnBefore(level, node);
-    const fed = source ? Object.values(level.edges).filter(({ from }) => from.node === node) : [];
-    const drawn = fed.filter(({ to }) => own(level.nodes, to.node)?.type !== 'capture');
-    const bypass = drawn.map(({ to }): Command => ({ kind: 'connect', edge: { from: source!, to } }));
-    return insideGroup(group, { kind: 'batch', commands: [...bypass, { kind: 'remove-nodes', nodes: [node] }] });
-  });
-  return { kind: 'batch', commands };
-}
-
-/** The output that feeds a Capture node, or the first one of several in a row. */
-function drawnBefore(level: Graph, capture: string): GraphEdge['from'] | undefined {
-  const from = own(level.edges, `${capture}.view`)?.from;
-  return from && own(level.nodes, from.node)?.type === 'capture' ? drawnBefore(level, from.node) : from;
-}
+export const removeCaptureCommand = (document: GraphDocument): Command => ({
+  kind: 'batch',
+  commands: oneByOne(document, (left) => {
+    const capture = nearestToOutput(left, 'capture');
+    return capture && removeLinkCommand(left, capture.id, 'view');
+  }),
+});
 
 /** Where the nodes of a type are that feed the output, each once, whatever uses its group has. */
 function placesOf(document: GraphDocument, type: string): readonly NodeLocation[] {

@@ -146,31 +146,39 @@ export function flyCommand(document: GraphDocument, object: string, at: number):
 }
 
 /** Removes a flight: the object moves as in its file again. */
-export function removeFlightCommand(document: GraphDocument, id: string): Command {
+export const removeFlightCommand = (document: GraphDocument, id: string): Command =>
+  removeLinkCommand(document, id, 'relativity');
+
+/** Removes a node, and connects what feeds its `input` directly to all nodes that it feeds. */
+export function removeLinkCommand(document: GraphDocument, id: string, input: string): Command {
   const { group, node } = locateNode(document, id) ?? { node: id };
   const commands = [
-    ...bypassCommands(graphIn(document, group), node),
+    ...bypassCommands(graphIn(document, group), node, input),
     { kind: 'remove-nodes', nodes: [node] } as const,
   ];
   return insideGroup(group, { kind: 'batch', commands });
 }
 
-/** Connects a node's input directly to all nodes that it feeds. */
-function bypassCommands(level: Graph | undefined, node: string): Command[] {
-  const before = level && own(level.edges, `${node}.relativity`);
+function bypassCommands(level: Graph | undefined, node: string, input: string): Command[] {
+  const before = level && own(level.edges, `${node}.${input}`);
   if (!before) return [];
   const after = Object.values(level.edges).filter(({ from }) => from.node === node);
   return after.map(({ to }) => ({ kind: 'connect', edge: { from: before.from, to } }));
 }
 
-/** Removes all flights one by one. */
-function removeFlightCommands(document: GraphDocument): Command[] {
+/** Commands each of which is for the document that those before it leave, until there is none. */
+export function oneByOne(document: GraphDocument, next: (left: GraphDocument) => Command | undefined): Command[] {
   const commands: Command[] = [];
   let left = document;
-  for (let [flight] = flyNodesIn(left); flight !== undefined; [flight] = flyNodesIn(left)) {
-    const command = removeFlightCommand(left, flight);
+  for (let command = next(left); command; command = next(left)) {
     left = applyCommand(left, command).document;
     commands.push(command);
   }
   return commands;
 }
+
+const removeFlightCommands = (document: GraphDocument): Command[] =>
+  oneByOne(document, (left) => {
+    const [flight] = flyNodesIn(left);
+    return flight === undefined ? undefined : removeFlightCommand(left, flight);
+  });

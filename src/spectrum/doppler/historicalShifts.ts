@@ -100,13 +100,12 @@ export const CORNER_SHARES: readonly Vec3[] = [
 export function linearSpectrumShift(rgb: Vec3, D: number, mix: number): Vec3 {
   const stretch = D ** mix;
   const values = CORNER_SHARES.map((shares) => dot(shares, rgb));
+  const corners = SPECTRUM_CORNERS.map((corner, i) => [corner, values[i]!] as const);
   const [ultraviolet, blue, green, red, infrared] = SPECTRUM_CORNERS;
   const spectrum = (wavelength: number): number => {
-    const inside = SPECTRUM_CORNERS.findLastIndex((corner) => corner <= wavelength);
-    if (inside < 0) return (values[0]! * wavelength) / ultraviolet;
-    if (inside === 4) return (values[4]! * infrared) / wavelength;
-    const [from, to] = [SPECTRUM_CORNERS[inside]!, SPECTRUM_CORNERS[inside + 1]!];
-    return values[inside]! + ((values[inside + 1]! - values[inside]!) * (wavelength - from)) / (to - from);
+    if (wavelength < ultraviolet) return (values[0]! * wavelength) / ultraviolet;
+    if (wavelength >= infrared) return (values[4]! * infrared) / wavelength;
+    return interpolated(corners, wavelength, 1);
   };
   return [spectrum(red * stretch), spectrum(green * stretch), spectrum(blue * stretch)];
 }

@@ -1,3 +1,5 @@
+import { radians } from '../../../math/angle.ts';
+import { saturate } from '../../../math/saturate.ts';
 import { lerp, type Vec3 } from '../../../math/vec3.ts';
 import { LENS_GRID } from '../../../scene/frameGraph/effects.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
@@ -16,7 +18,7 @@ export function lensGrid(
   frame: GBufferReader,
   [spacing = 15, safe = 0, opacity = 1, width = 1]: readonly number[],
 ): FloatImage {
-  const every = (spacing * Math.PI) / 180;
+  const every = radians(spacing);
   return frame.image.map((x, y) => {
     const here = frame.image.at(x, y);
     const angles = anglesAt(frame, x, y);
@@ -27,7 +29,7 @@ export function lensGrid(
       const index = Math.round(angle / every);
       const apart = every / gradient;
       const [least, full] = LENS_GRID.gap;
-      const shown = Math.min(1, Math.max(0, (apart - least) / (full - least)));
+      const shown = saturate((apart - least) / (full - least));
       return shown * bandAt(Math.abs(angle - index * every) / gradient, index === 0 ? 2 * width : width);
     });
     const lined = lerp(here as unknown as Vec3, LENS_GRID.line, opacity * Math.max(...lines));
@@ -36,7 +38,7 @@ export function lensGrid(
 }
 
 /** The part of a pixel that a band covers, whose middle is so far away [px]. */
-const bandAt = (distance: number, width: number): number => Math.min(1, Math.max(0, width / 2 + 0.5 - distance));
+const bandAt = (distance: number, width: number): number => saturate(width / 2 + 0.5 - distance);
 
 function anglesAt(frame: GBufferReader, x: number, y: number): Angles | undefined {
   const direction = frame.gridDirection(x, y);

@@ -1,17 +1,17 @@
+import { saturate } from '../../../math/saturate.ts';
 import { INSET, type MixMode, WIPE_WIDTH } from '../../../scene/frameGraph/effects.ts';
 import type { FloatImage } from './effectInput.ts';
 
 type ChannelBlend = (a: number, b: number) => number;
 
-const within = (value: number): number => Math.min(Math.max(value, 0), 1);
 const above = (value: number): number => Math.max(value - 1, 0);
 
 /** 1 − (1 − a)(1 − b) of the parts within 0 … 1, plus the parts above 1. */
-const screen: ChannelBlend = (a, b) => 1 - (1 - within(a)) * (1 - within(b)) + above(a) + above(b);
+const screen: ChannelBlend = (a, b) => 1 - (1 - saturate(a)) * (1 - saturate(b)) + above(a) + above(b);
 
 /** `multiply` where a < ½, otherwise `screen`, of the parts within 0 … 1, plus the part of a above 1. */
 const overlay: ChannelBlend = (a, b) => {
-  const [p, q] = [within(a), within(b)];
+  const [p, q] = [saturate(a), saturate(b)];
   return (p < 0.5 ? 2 * p * q : 1 - 2 * (1 - p) * (1 - q)) + above(a);
 };
 
@@ -32,11 +32,11 @@ export function mixImages(mode: MixMode, alpha: number, a: FloatImage, b: FloatI
   const shown = mode === 'inset' ? insetPicture(alpha, a, b) : undefined;
   return a.map((x, y) => {
     if (shown) {
-      const weight = within(mask?.at(x, y)[0] ?? 1);
+      const weight = saturate(mask?.at(x, y)[0] ?? 1);
       const over = shown(x, y) ?? a.at(x, y);
       return a.at(x, y).map((value, c) => (1 - weight) * value + weight * over[c]!);
     }
-    const weight = weightAt(mode, alpha, (x + 0.5) / a.width) * within(mask?.at(x, y)[0] ?? 1);
+    const weight = weightAt(mode, alpha, (x + 0.5) / a.width) * saturate(mask?.at(x, y)[0] ?? 1);
     const over = b.at(x, y);
     return a.at(x, y).map((value, c) => (1 - weight) * value + weight * BLENDS[mode](value, over[c]!));
   });
@@ -45,7 +45,7 @@ export function mixImages(mode: MixMode, alpha: number, a: FloatImage, b: FloatI
 /** `split`: a to the left of alpha, b to the right. `wipe`: b enters from the left, behind a soft border. Otherwise alpha. */
 function weightAt(mode: MixMode, alpha: number, across: number): number {
   if (mode === 'split') return across < alpha ? 0 : 1;
-  if (mode === 'wipe') return within((alpha * (1 + WIPE_WIDTH) - across) / WIPE_WIDTH);
+  if (mode === 'wipe') return saturate((alpha * (1 + WIPE_WIDTH) - across) / WIPE_WIDTH);
   return alpha;
 }
 

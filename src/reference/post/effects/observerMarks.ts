@@ -1,3 +1,4 @@
+import { saturate } from '../../../math/saturate.ts';
 import { addScaled, dot, length, lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { OBSERVER_MARKS } from '../../../scene/frameGraph/effects.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
@@ -26,14 +27,13 @@ export function observerMarks(
     const visible = hidden ? OBSERVER_MARKS.hidden : 1;
     if (tip) color = lerp(color, OBSERVER_MARKS.arrow, visible * arrowCover(here, at, tip, size));
     const rim = size - distanceTo(here, at);
-    color = lerp(color, OBSERVER_MARKS.edge, visible * within(rim + 0.5));
-    return lerp(color, OBSERVER_MARKS.body, visible * within(rim - OBSERVER_MARKS.border + 0.5));
+    color = lerp(color, OBSERVER_MARKS.edge, visible * saturate(rim + 0.5));
+    return lerp(color, OBSERVER_MARKS.body, visible * saturate(rim - OBSERVER_MARKS.border + 0.5));
   });
 }
 
-const within = (x: number): number => Math.min(Math.max(x, 0), 1);
 const smoothstep = ([from, to]: PicturePoint, x: number): number => {
-  const t = within((x - from) / (to - from));
+  const t = saturate((x - from) / (to - from));
   return t * t * (3 - 2 * t);
 };
 const distanceTo = (a: PicturePoint, b: PicturePoint): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -52,7 +52,7 @@ function ringCover(frame: GBufferReader, x: number, y: number, spacing: number):
   if (!(perPixel < spacing)) return 0;
   const nearest = Math.max(Math.round(here / spacing), 1);
   const { ringWidth, ringGap, farthest } = OBSERVER_MARKS;
-  const line = within(ringWidth / 2 + 0.5 - Math.abs(here - nearest * spacing) / Math.max(perPixel, 1e-6 * spacing));
+  const line = saturate(ringWidth / 2 + 0.5 - Math.abs(here - nearest * spacing) / Math.max(perPixel, 1e-6 * spacing));
   return line * smoothstep(ringGap, spacing / perPixel) * (1 - smoothstep(farthest, here / spacing));
 }
 
@@ -80,11 +80,11 @@ function arrowCover(here: PicturePoint, from: PicturePoint, to: PicturePoint, si
     to[1] - back * (dy + side * barb.slope * dx),
   ];
   const nearest = Math.min(...[from, barbTip(1), barbTip(-1)].map((end) => distanceToSegment(here, to, end)));
-  return within(arrowWidth / 2 + 0.5 - nearest);
+  return saturate(arrowWidth / 2 + 0.5 - nearest);
 }
 
 function distanceToSegment(p: PicturePoint, a: PicturePoint, b: PicturePoint): number {
   const [x, y] = [b[0] - a[0], b[1] - a[1]];
-  const t = within(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / Math.max(x * x + y * y, 1e-12));
+  const t = saturate(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / Math.max(x * x + y * y, 1e-12));
   return Math.hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
 }
