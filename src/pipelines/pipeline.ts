@@ -55,8 +55,6 @@ export interface Pipeline<Options extends PipelineOptions = PipelineOptions> {
   readonly samples: { readonly default: number; readonly note?: Message };
   /** Most views of one picture; Infinity: no limit. */
   readonly maxViews: number;
-  /** Whether it draws what an observer sees from elsewhere (`ViewPoint.vantage`). */
-  readonly vantages: boolean;
   /** Its node that renders stills. Absent: there is none. */
   readonly still?: StillLimits;
   /**

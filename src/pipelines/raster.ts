@@ -15,7 +15,6 @@ export const rasterPipeline = definePipeline({
   aovs: Object.keys(AOVS) as AovName[],
   samples: { default: 1, note: msg`smoothed by FXAA` },
   maxViews: MAX_VIEWS,
-  vantages: true,
   // Imported lazily: three is large, and inspects its environment when it is imported.
   openInteractive: async (options) => (await import('./raster.gpu.ts')).openRasterRenderer(options),
 });

@@ -17,7 +17,6 @@ export const referencePipeline = definePipeline({
   aovs: Object.keys(AOVS) as AovName[],
   samples: { default: 4 },
   maxViews: Number.POSITIVE_INFINITY,
-  vantages: false,
   still: {
     node: 'reference-render',
     title: msg`Reference render`,

@@ -46,7 +46,7 @@ export function openReferenceSession(
             );
           const request = { width, height, samples, seed, light };
           const draw: TraceLayers = (scene, own, layers, onLayers) => {
-            const from = tracedFrom(view, own);
+            const from = drawnFrom(view, own);
             const pool = pools.of(scene, own.speedOfLight);
             return renderWithPool(pool, { ...request, view: from, settings: own, layers }, onLayers);
           };
@@ -59,16 +59,6 @@ export function openReferenceSession(
     stop: (error) => pools.stop(error),
     close: () => pools.close(),
   };
-}
-
-/** The view point of a G-buffer. Throws a PipelineRefusal if no rays lead there: an outside camera is on the observer's light cone only in the world's moment. */
-function tracedFrom(view: ViewPoint, settings: RenderSettings): ViewPoint {
-  const from = drawnFrom(view, settings);
-  if (settings.outside && from.vantage)
-    throw new PipelineRefusal(
-      msg`what an observer sees is drawn from outside by the rasterizer only: light leads to his eye. Show the world as it is now instead, or use another pipeline`,
-    );
-  return from;
 }
 
 /** Starts threads that render a scene with one speed of light [m/s] and share its prepared data. */

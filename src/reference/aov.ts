@@ -3,7 +3,7 @@ import { properVelocity } from '../physics/lorentz/boost.ts';
 import { dopplerFactor } from '../physics/optics/doppler.ts';
 import type { DataAov, RenderSettings } from '../scene/view/view.ts';
 import { isLuminous } from '../scene/views/views.ts';
-import type { Hit, SpacetimeRay } from './acceleration/ray.ts';
+import { type Hit, lightOf, type SpacetimeRay } from './acceleration/ray.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
 import { createLightingContext } from './lights/createLightingContext.ts';
 import { DEFAULT_LIGHT } from './lights/lightOptions.ts';
@@ -58,6 +58,6 @@ export function aovReader(name: DataAov, scene: TracedScene, u: Vec3, settings: 
  * // The observer flies towards it at 0.6 c.
  * dopplerOfHit(visibleHit(scene, ray)!, ray, [0, 0, -0.75]); // 2
  */
-export function dopplerOfHit({ velocity }: Hit, { dx }: SpacetimeRay, u: Vec3): number {
-  return dopplerFactor(dx, u, properVelocity(velocity));
+export function dopplerOfHit(hit: Hit, ray: SpacetimeRay, u: Vec3): number {
+  return dopplerFactor(lightOf(ray, hit).dx, u, properVelocity(hit.velocity));
 }

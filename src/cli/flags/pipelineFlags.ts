@@ -9,7 +9,6 @@ import {
 import type { Pipeline } from '../../pipelines/pipeline.ts';
 import { AUTOMATIC_PIPELINES, PIPELINES, pipelineNamed } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
-import type { ObserverSetup } from '../../scene/view/observerPath.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { localized } from '../terminal/language.ts';
@@ -78,14 +77,13 @@ export const optionsOf = ({ options }: Pipeline, flags: PipelineFlags): OptionVa
 export function checkPipeline(
   flags: PipelineFlags &
     Pick<SettingFlags, 'solver'> &
-    Pick<ObserverSetup, 'vantage'> & { readonly aov?: readonly AovName[] },
+    { readonly aov?: readonly AovName[] },
 ): void {
   const idle = unusedOption(flags);
   if (idle)
     throw usageError(msg`${idle.flag} is for the ${idle.owner.name}: add --pipeline ${idle.owner.id}, or leave it out`);
   if (flags.pipeline === 'auto') return;
   const pipeline = pipelineNamed(flags.pipeline);
-  assertLooksAside(pipeline, flags);
   const foreign = foreignSetting(flags, pipeline);
   if (foreign) {
     const why = pipeline.constraint ?? msg`does not have it`;
@@ -93,14 +91,6 @@ export function checkPipeline(
   }
   const odd = flags.aov?.find((name) => !pipeline.aovs.includes(name));
   if (odd) throw usageError(msg`--aov ${odd}: --pipeline ${pipeline.id} gives ${listed(pipeline.aovs) || msg`none`}`);
-}
-
-/** Throws if a picture is of a vantage, and the pipeline follows the light to the observer's eye. */
-export function assertLooksAside({ id, vantages }: Pipeline, { vantage }: Pick<ObserverSetup, 'vantage'>): void {
-  if (vantage && !vantages)
-    throw usageError(
-      msg`--vantage is for the ${first.name}: --pipeline ${id} follows light, which meets at the observer's eye only`,
-    );
 }
 
 /** A backend or setting value that a pipeline does not support; undefined if none. */

@@ -18,7 +18,7 @@ import type { AovName, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import { throwIfStopped } from '../files/outputFile.ts';
 import { observerSetup } from '../flags/observerPath.ts';
-import { assertLooksAside, checkPipeline } from '../flags/pipelineFlags.ts';
+import { checkPipeline } from '../flags/pipelineFlags.ts';
 import { renderSettings, speedOfLight } from '../flags/viewFlags.ts';
 import { openFlaggedSession } from '../pipelines/openSession.ts';
 import type { RenderJob } from '../project/project.ts';
@@ -77,7 +77,6 @@ export async function renderFrames(
     progress.show(msg`getting ready to draw …`);
     const session = await openFlaggedSession([scene, ...others], flags, (text) => progress.note(text));
     const { info } = session;
-    assertLooksAside(pipelineNamed(info.pipeline), flags);
     const samples = flags.samples ?? (flags.antialiasing ? pipelineNamed(info.pipeline).samples.default : 1);
     const made = await renderIntoSink(session, { ...request, samples }, sink, progress).finally(() => session.close());
     throwIfStopped();

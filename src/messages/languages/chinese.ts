@@ -2997,16 +2997,14 @@ const messages: Translation['messages'] = {
   Inset: '小窗',
   'Looks at the world from outside, from beside the observer or from a fixed place: as it is now, or where all that he sees was when its light left. It follows the observer live. The effect “Observer and light rings” draws him.':
     '从外部观看世界，可在观察者旁边或固定的位置：显示世界此刻的样子，或观察者所见的一切在光离开时的所在。它实时跟随观察者。效果“观察者与光环”把他画出来。',
-  'The world now: where everything is at this moment of the world’s clocks. What is seen: each point where it was when the light left that the observer sees now. Use Relativity rasterize for it.':
-    '此刻的世界：按世界时钟，一切此刻所在之处。看到的东西：每一点都在观察者此刻所见的光离开它时的位置；请配合“相对论光栅化”使用。',
+  'The world now: where everything is at this moment of the world’s clocks. What is seen: each point where it was when the light left that the observer sees now.':
+    '此刻的世界：按世界时钟，一切此刻所在之处。看到的东西：每一点都在观察者此刻所见的光离开它时的位置。',
   Distance: '距离',
   Azimuth: '方位角',
   '0: behind one who looks ahead. Positive: to the right of him.': '0：在向前看的人身后。正值：在他右侧。',
   Elevation: '仰角',
   'Follows the observer': '跟随观察者',
   'Off: it stays where it is, and looks at a place of the world.': '关闭：它停在原处，注视世界中的一个位置。',
-  'what an observer sees is drawn from outside by the rasterizer only: light leads to his eye. Show the world as it is now instead, or use another pipeline':
-    '从外部画观察者所见，只有光栅化器能做到：光线通向他的眼睛。请改为显示此刻的世界，或改用别的管线',
   'Observer and light rings': '观察者与光环',
   'In a picture from outside: where the observer is, how far he comes while light goes from one ring to the next, and rings on which all is that he sees that many seconds old.':
     '用于外部视图：观察者所在之处，光从一环走到下一环时他前进的距离，以及圆环：环上的一切，他看到的是相应秒数之前的样子。',
@@ -3421,8 +3419,6 @@ const messages: Translation['messages'] = {
     '与 --frames 同用：让观察者留在原处，而不按其速度移动',
   "where the camera stands, from the observer's eye, on his axes [m]: everything stays as and where he sees it, and is looked at from there":
     '相机相对观察者眼睛的位置（沿其坐标轴，米）：一切保持他所见的样子和位置，从那里观看',
-  "--vantage is for the {}: --pipeline {} follows light, which meets at the observer's eye only":
-    '--vantage 用于{1}：--pipeline {2} 追踪光线，而光只在观察者的眼睛处相会',
   '{} of {}': '{2} 为 {1}',
   'n × n samples per pixel (default: {})': '每像素 n × n 个采样（默认：{1}）',
   'false colours: the Doppler factor, emission time relative to the observer, luminance before exposure, or the emitted wavelength that is visible':

@@ -15,7 +15,7 @@ export const outsideViewNode = defineNode({
     shows: {
       kind: 'choice',
       title: msg`Shows`,
-      help: msg`The world now: where everything is at this moment of the world’s clocks. What is seen: each point where it was when the light left that the observer sees now. Use Relativity rasterize for it.`,
+      help: msg`The world now: where everything is at this moment of the world’s clocks. What is seen: each point where it was when the light left that the observer sees now.`,
       default: 'now',
       options: [
         { value: 'now', title: msg`The world now` },

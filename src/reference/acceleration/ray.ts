@@ -15,7 +15,27 @@ export interface SpacetimeRay {
   readonly dt: number;
   /** Change of the position for each s [m]. */
   readonly dx: Vec3;
+  /** What is seen along it from beside the eye: the ray itself is that curve's asymptote then, light from infinity. */
+  readonly curve?: SightCurve;
 }
+
+/**
+ * The events that a camera beside the observer's eye (`ViewPoint.vantage`) sees one behind another: a straight line in his space, each event of which sent its light to his eye.
+ * s: distance from the camera in his space [m]. docs/physics.md §10.5.
+ */
+export interface SightCurve {
+  /** Where chords of it end, in order; the first is 0 and the last infinite. From chord to curve are at most 2 · 10⁻⁴ of the distance from the eye. */
+  readonly knots: readonly number[];
+  /** The straight ray through the events at knots k and k + 1. */
+  chord(k: number): SpacetimeRay;
+  /** The straight ray that touches it at s. */
+  tangent(s: number): SpacetimeRay;
+  /** The ray of light by which the observer sees the event at s; its own s is the distance from his eye. */
+  lightFrom(s: number): SpacetimeRay;
+}
+
+/** The ray of light by which a hit of a camera ray is seen: that ray itself, but from beside the eye. */
+export const lightOf = (ray: SpacetimeRay, { s }: Pick<Hit, 's'>): SpacetimeRay => ray.curve?.lightFrom(s) ?? ray;
 
 /** Where a ray meets a surface. */
 export interface Hit {

@@ -1,14 +1,15 @@
 import { rotate } from '../../math/quat.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { dot, type Vec3 } from '../../math/vec3.ts';
 import { lensDirection } from '../../scene/view/lenses/lenses.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
+import { sightCurve } from './sightCurve.ts';
 
 /**
  * The camera ray of the point (x, y) of a picture [px from its top left corner; the first pixel's centre is at (½, ½)]. Its `s` is the apparent
- * distance in the observer's frame [m], the depth in pictures. Undefined where the lens shows nothing, outside the circle of a fisheye. Throws a RangeError if the view has a vantage. The solver setting, which is for comparisons in the rasterizer, is ignored.
- * docs/physics.md §3.7.
+ * distance from the camera in the observer's frame [m], the depth in pictures. Undefined where the lens shows nothing, outside the circle of a fisheye. From a vantage it
+ * has a `curve`. The solver setting, which is for comparisons in the rasterizer, is ignored. docs/physics.md §3.7, §10.5.
  * @example
  * import { DEFAULT_SETTINGS, perspective } from 'slowlight/scene';
  * const view = {
@@ -29,9 +30,11 @@ export function cameraRay(
   width: number,
   height: number,
 ): SpacetimeRay | undefined {
-  if (view.vantage) throw new RangeError('rays meet at the eye of the observer: a vantage is for the rasterizer');
   const n = directionAt(view, x, y, width, height);
-  return n && rayToward(view, settings, n);
+  if (!n) return undefined;
+  const ray = rayToward(view, settings, n);
+  const { vantage } = view;
+  return vantage && dot(vantage, vantage) > 0 ? { ...ray, curve: sightCurve(view, vantage, n, settings) } : ray;
 }
 
 /** n′ of a point of the picture: unit, observer's frame, on the world's axes carried by the pure boost; undefined where the lens shows nothing. */

@@ -7,6 +7,7 @@ import type { Hit, RayFilter, SpacetimeRay } from '../acceleration/ray.ts';
 import { type ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';
 import { TopLevelBvh } from '../acceleration/topLevelBvh.ts';
 import { meshBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
+import { nearestOnCurve } from './curveHit.ts';
 import { motionTracer } from './motionTracers.ts';
 import { RoundSolid } from './quadrics/roundSolid.ts';
 import { ShapeCache } from './sampledShapes.ts';
@@ -120,7 +121,10 @@ function createIntersector(
  * hit; // { s: 5, time: 0, velocity: [0.6, 0, 0] }
  */
 export function nearestHit({ topLevel }: TracedScene, ray: SpacetimeRay, filter: RayFilter = {}): Hit | undefined {
-  const search = new RayQuery(ray, filter);
-  topLevel.intersect(ray, search);
-  return search.nearest;
+  const along = (straight: SpacetimeRay, own: RayFilter): Hit | undefined => {
+    const search = new RayQuery(straight, own);
+    topLevel.intersect(straight, search);
+    return search.nearest;
+  };
+  return ray.curve ? nearestOnCurve(ray.curve, filter, along) : along(ray, filter);
 }

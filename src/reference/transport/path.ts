@@ -4,7 +4,7 @@ import type { RenderSettings } from '../../scene/view/view.ts';
 import { isLuminous, placementIn } from '../../scene/views/views.ts';
 import { maxOfFilter, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
-import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
+import { type Hit, lightOf, type SpacetimeRay } from '../acceleration/ray.ts';
 import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
 import { createLightingContext } from '../lights/createLightingContext.ts';
 import { type LightingContext, rayBack, restFrameOf } from '../lights/lightingContext.ts';
@@ -128,7 +128,7 @@ function surfaceLight(
   path: PathState,
   glass: boolean,
 ): SampledRadiance {
-  const n = normalize(ray.dx);
+  const n = normalize(lightOf(ray, hit).dx);
   const frame = restFrameOf(lighting, hit.velocity);
   const point = surfaceAt(lighting.scene, hit);
   const V = negate(frame.fromWorld(n));

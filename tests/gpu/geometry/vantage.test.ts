@@ -7,6 +7,9 @@ import { add, addScaled, distance, length, scale, sub, type Vec3 } from '../../.
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { apparentPosition } from '../../../src/physics/optics/apparentPosition.ts';
 import { emissionEvent } from '../../../src/physics/worldLines/lightCone.ts';
+import { cameraRay } from '../../../src/reference/camera/cameraRay.ts';
+import { visibleHit } from '../../../src/reference/camera/visibleHit.ts';
+import { createTracedScene } from '../../../src/reference/intersection/tracedScene.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { box, grid, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene } from '../../../src/scene/types.ts';
@@ -170,6 +173,7 @@ describe('what is seen, looked at from elsewhere', () => {
         const eye = { ...frame.view, vantage, orientation: lookAtOrientation(toSubject, [0, 1, 0]) };
         const picture = await pictureOf(extra.scene, eye, frame.settings);
         expect(shares(picture), view).toBeGreaterThan(0.02);
+        expect(unlikeReference(picture, extra.scene, eye, frame.settings), view).toBeLessThan(0.01);
         const { displacement, depth } = worst(picture, eye, frame.settings);
         expect(displacement, view).toBeLessThan(0.5);
         expect(depth, view).toBeLessThan(1e-3);
@@ -194,6 +198,20 @@ function worst({ object, position, depth }: Picture, view: ViewPoint, settings: 
     result.depth = Math.max(result.depth, Math.abs(depth[i] / length(shown) - 1));
   });
   return result;
+}
+
+/** The share of pixels that show another object than the reference finds there, at the centre and at the corners: outlines are tessellated. */
+function unlikeReference({ object }: Picture, scene: Scene, view: ViewPoint, settings: RenderSettings): number {
+  const { width, height } = SIZE;
+  const traced = createTracedScene(scene, settings.speedOfLight);
+  const shownAt = (x: number, y: number): number =>
+    (visibleHit(traced, cameraRay(view, settings, x, y, width, height)!)?.object ?? -1) + 1;
+  const wrong = object.filter((id, i) => {
+    const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
+    const around = [-0.4, 0.4].flatMap((dx) => [-0.4, 0.4].map((dy) => [dx, dy] as const));
+    return shownAt(x, y) !== id && around.every(([dx, dy]) => shownAt(x + dx, y + dy) !== id);
+  });
+  return wrong.length / object.length;
 }
 
 function withMaterial(mesh: Mesh, material: number): Mesh {
