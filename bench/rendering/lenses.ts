@@ -14,6 +14,7 @@ const LENSES: readonly { readonly name: string; readonly lens: Lens; readonly si
   { name: 'equirectangular', lens: { kind: 'equirectangular' }, size: [672, 336] },
   { name: 'dome', lens: domeLens(Math.PI, 0), size: [475, 475] },
   { name: 'cube', lens: { kind: 'cube', layout: '3x2' }, size: [582, 388] },
+  { name: 'stereo', lens: { kind: 'stereo', separation: 0.063 }, size: [476, 476] },
 ];
 const PERSPECTIVE = [634, 356] as const;
 
@@ -21,7 +22,7 @@ export const lenses: Bench = {
   name: 'lenses',
   title: 'Panoramic pictures ÷ a perspective one',
   about:
-    'Pictures of about 226,000 pixels each, of 100,000 triangles at 0.9 c, without occlusion: an equirectangular one, a dome master and a cube, put together of faces, and a perspective one with the view of the other benchmarks. Between pictures 0.02 s pass.',
+    'Pictures of about 226,000 pixels each, of 100,000 triangles at 0.9 c, without occlusion: an equirectangular one, a dome master, a cube and a stereo one, put together of faces or strips, and a perspective one with the view of the other benchmarks. Between pictures 0.02 s pass.',
   async run() {
     const rows: (string | number)[][] = [];
     for (const kind of ['static', 'rigid', 'deforming'] as const) rows.push(...(await rowsOf(kind)));

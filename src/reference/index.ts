@@ -5,6 +5,7 @@
  */
 
 export type * from './acceleration/ray.ts';
+export { lightOf } from './acceleration/ray.ts';
 export { dopplerOfHit } from './aov.ts';
 export { cameraRay, rayToward } from './camera/cameraRay.ts';
 export { type TransparentMode, visibleHit } from './camera/visibleHit.ts';

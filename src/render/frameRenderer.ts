@@ -113,18 +113,18 @@ export class FrameRenderer {
 
   /** Draws a face with its light, and gathers what the picture shows of it. `over`: it is not the first. */
   private drawFace(
-    { face, texels, position, views }: BoundFace,
+    { face, position, views }: BoundFace,
     pictureViews: PictureSample['views'],
     lights: readonly BufferLight[],
     camera: PerspectiveCamera,
     over: boolean,
   ): void {
-    this.setFaceSize(texels);
+    this.setFaceSize(face.size);
     const own = lights.map((light) => ({ ...light, lighting: { ...light.lighting, occlusionRadius: 0 } }));
     // Made before the G-buffer is drawn, as `DeferredPass.light` demands.
     for (const { buffer, index } of own) this.facePass(buffer).light(index);
     drawSurfaces(views, own, camera, (i) => this.facePass(i));
-    this.gatherer.setFace(face, texels, position);
+    this.gatherer.setFace(face, position);
     views.forEach((view, i) => {
       if (!view) return;
       pictureViews[i].bind();
@@ -135,10 +135,10 @@ export class FrameRenderer {
     });
   }
 
-  private setFaceSize(texels: number): void {
-    if (texels === this.faceSize.width) return;
-    this.faceSize = { width: texels, height: texels };
-    for (const pass of this.facePasses) pass.setSize(texels, texels);
+  private setFaceSize({ width, height }: PictureSize): void {
+    if (width === this.faceSize.width && height === this.faceSize.height) return;
+    this.faceSize = { width, height };
+    for (const pass of this.facePasses) pass.setSize(width, height);
   }
 
   /** The runner of frame graphs of this structure, cached. Call it before `precompile` (gpu/precompile.ts): a new runner draws to initialize its targets. */

@@ -23,8 +23,8 @@ import { type SpacetimeProjection, startsAtNow, vertexSolverOf } from './geometr
 import { FAR, NEAR } from './gpu/depth.ts';
 import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import { setObserverUniforms } from './gpu/observerUniforms.ts';
-import { facesOf, faceTexels, faceViewPoint } from './lenses/cubeFaceViews.ts';
 import { setLensUniforms } from './lenses/lensUniforms.ts';
+import { facesOf, faceViewPoint } from './lenses/pictureFaces.ts';
 import type { BoundFace, BoundRenderView, DueCapture, PictureSample } from './pictureSample.ts';
 import { PIXEL_CENTER, type SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
@@ -40,6 +40,8 @@ export interface RenderView extends CapturedGBufferView {
   readonly viewIndex: number;
   /** Place among the faces of a panoramic picture, or of a capture; absent: it is none of them. */
   readonly face?: number;
+  /** Whether it is one of many narrow faces. */
+  readonly isStrip?: boolean;
   /** The capture that it is a face of. */
   readonly faceOf?: Capture;
   readonly observation: Observation;
@@ -72,6 +74,7 @@ const canBeCaptured = (settings: RenderSettings, { event, place }: SpacetimeProj
   event === 'emission' &&
   (place === 'apparent' || place === 'plain') &&
   view.vantage === undefined &&
+  view.lens.kind !== 'stereo' &&
   settings.outside === undefined;
 
 /** Largest error along the line of sight over that across it: edges are measured with `DEPTH_WEIGHT` of it, and a triangle may sag twice as far as its edges. */
@@ -81,7 +84,9 @@ const MAX_FACES = CUBE_FACES.length;
 /** The view itself, its faces, and those of its capture have a plan each. */
 const PLANS_PER_VIEW = 1 + 2 * MAX_FACES;
 
-function planIndex({ viewIndex, face, faceOf }: RenderView): number {
+/** Undefined for strips, which are many. */
+function planIndex({ viewIndex, face, faceOf, isStrip }: RenderView): number | undefined {
+  if (isStrip) return undefined;
   const place = face === undefined ? 0 : 1 + face + (faceOf ? MAX_FACES : 0);
   return PLANS_PER_VIEW * viewIndex + place;
 }
@@ -141,19 +146,22 @@ export class FrameSetup {
     const { camera } = this;
     const shared = { views: [first, ...others] as const, captures, camera, time: buffers[0].viewPoint.t };
     if (!panoramic) return { ...shared, faces: [] };
-    const texels = faceTexels(panoramic.viewPoint, size);
-    const faceSize = { width: texels, height: texels };
-    const faces = facesOf(panoramic.viewPoint).map((face, k): BoundFace => {
+    const faces = facesOf(panoramic.viewPoint, size).map((face, k): BoundFace => {
       const views = buffers.map((buffer): BoundRenderView | undefined => {
         if (!isPanoramic(buffer.viewPoint.lens)) return undefined;
-        const view = { ...buffer, viewPoint: faceViewPoint(buffer.viewPoint, face), face: k };
+        const view = {
+          ...buffer,
+          viewPoint: faceViewPoint(buffer.viewPoint, face),
+          face: k,
+          isStrip: face.rect !== undefined,
+        };
         const bind = (): void => {
-          this.prepareFace(view, faceSize);
-          this.setSample(view, position, faceSize);
+          this.prepareFace(view, face.size);
+          this.setSample(view, position, face.size);
         };
         return { view, bind };
       });
-      return { face, texels, position, views };
+      return { face, position, views };
     });
     return { ...shared, faces };
   }

@@ -1,7 +1,7 @@
 import type { PerspectiveCamera } from 'three/webgpu';
-import type { CubeFace } from '../scene/view/lenses/cubeFaces.ts';
 import type { Capture } from './capture/capture.ts';
 import type { CapturedGBufferView } from './deferredPass.ts';
+import type { PictureFace } from './lenses/pictureFaces.ts';
 import type { SamplePosition } from './post/resolve/pixelSamples.ts';
 
 /** The view of a G-buffer, and how its uniforms are set. */
@@ -11,11 +11,9 @@ export interface BoundRenderView {
   readonly bind: () => void;
 }
 
-/** A face of the cube around the camera of a panoramic picture. */
+/** A face of a panoramic picture. */
 export interface BoundFace {
-  readonly face: CubeFace;
-  /** Its side [px]. */
-  readonly texels: number;
+  readonly face: PictureFace;
   /** Of the sample within its pixels. */
   readonly position: SamplePosition;
   /** By G-buffer; undefined for one whose own lens is a perspective one. */

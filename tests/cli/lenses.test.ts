@@ -68,6 +68,16 @@ test('both backends and the reference draw the same', async () => {
   expect(await difference(here, await drawn('truth.png', ...plain, '--pipeline', 'reference'))).toBeLessThan(4);
 });
 
+test('the eyes of a stereo picture see what stands beside, in both renderers; a vantage is for both, too', async () => {
+  const stereo = ['--lens', 'stereo', '--eye-separation', '0.5', '--size', '96x96'];
+  const here = await drawn('eyes.png', ...stereo, '--samples', '3', '--occlusion-radius', '0');
+  const truth = await drawn('eyes-truth.png', ...stereo, '--samples', '3', '--pipeline', 'reference');
+  expect(await difference(here, truth)).toBeLessThan(4);
+  const aside = ['--vantage', '0.5,1,0.3', '--size', '96x64', '--samples', '3'];
+  const raster = await drawn('aside.png', ...aside, '--occlusion-radius', '0');
+  expect(await difference(raster, await drawn('aside-truth.png', ...aside, '--pipeline', 'reference'))).toBeLessThan(5);
+});
+
 test('files say that they are 360° pictures: PNG, EXR with data channels, MP4', async () => {
   const of = async (file: string) => {
     const bytes = readFileSync(file);
@@ -82,6 +92,14 @@ test('files say that they are 360° pictures: PNG, EXR with data channels, MP4',
   await slowlight('render', movers, '-o', out('film.mp4'), ...lens, '--frames', '0:2', '--fps', '24');
   const asked = ['-v', 'error', '-show_entries', 'stream_side_data=projection:stream=nb_frames', '-of', 'csv=p=0'];
   expect(await ask('ffprobe', ...asked, out('film.mp4'))).toMatch(/3[\s\S]*equirectangular/);
+  const both = ['--lens', 'stereo', '--size', '64x64', '--samples', '1'];
+  expect(await of(await drawn('both.png', ...both))).toMatchObject({
+    projection: 'equirectangular',
+    stereo: 'top-bottom',
+  });
+  await slowlight('render', movers, '-o', out('both.mp4'), ...both, '--frames', '0:2', '--fps', '24');
+  const sides = ['-v', 'error', '-show_entries', 'stream_side_data=type,projection', '-of', 'csv=p=0'];
+  expect(await ask('ffprobe', ...sides, out('both.mp4'))).toMatch(/top and bottom[\s\S]*equirectangular/);
   expect(await of(await drawn('legend.png', ...lens, '--false-colour', 'doppler', '--legend'))).toBeUndefined();
   expect(await of(await drawn('dome-only.png', '--lens', 'dome', '--size', '32x32', '--samples', '1'))).toBeUndefined();
 });
@@ -99,4 +117,6 @@ test('a lens has a size of its own, and what does not fit it is refused', async 
   expect(await refused('--aperture', '90')).toContain('--aperture');
   expect(await refused('--lens', 'fisheye', '--dome-tilt', '9')).toContain('--dome-tilt');
   expect(await refused('--lens', 'dome', '--aperture', '0')).toContain('360');
+  expect(await refused('--lens', 'stereo', '--size', '100x90')).toContain('take 90 × 90');
+  expect(await refused('--lens', 'dome', '--eye-separation', '1')).toContain('--lens stereo');
 });

@@ -46,7 +46,7 @@ export function observerSetup(
 }
 
 /** The lens that flags replace the camera's by; undefined if they do not. */
-function lensOf({ fov, lens, aperture, domeTilt }: ObserverFlags): Lens | undefined {
+function lensOf({ fov, lens, aperture, domeTilt, eyeSeparation }: ObserverFlags): Lens | undefined {
   const choice = lens ?? 'perspective';
   const isRound = choice === 'fisheye' || choice === 'dome';
   if (aperture !== undefined && !isRound)
@@ -55,6 +55,8 @@ function lensOf({ fov, lens, aperture, domeTilt }: ObserverFlags): Lens | undefi
     );
   if (domeTilt !== undefined && choice !== 'dome')
     throw usageError(msg`--dome-tilt is for domes: add --lens dome, or leave it out`);
+  if (eyeSeparation !== undefined && choice !== 'stereo')
+    throw usageError(msg`--eye-separation is for two eyes: add --lens stereo, or leave it out`);
   if (fov !== undefined && choice !== 'perspective')
     throw usageError(
       msg`--fov is of a perspective lens; --lens ${choice} sees ${isRound ? msg`its --aperture` : msg`all around`}: leave it out`,
@@ -63,6 +65,7 @@ function lensOf({ fov, lens, aperture, domeTilt }: ObserverFlags): Lens | undefi
     lens: choice,
     aperture: aperture ?? USUAL_LENS.aperture,
     domeTilt: domeTilt ?? USUAL_LENS.domeTilt,
+    eyeSeparation: eyeSeparation ?? USUAL_LENS.eyeSeparation,
   });
   return panoramic ?? (fov === undefined ? undefined : perspective(radians(fov)));
 }

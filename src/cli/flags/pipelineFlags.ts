@@ -75,9 +75,7 @@ export const optionsOf = ({ options }: Pipeline, flags: PipelineFlags): OptionVa
 
 /** Throws if flags exclude each other, before any work is done. */
 export function checkPipeline(
-  flags: PipelineFlags &
-    Pick<SettingFlags, 'solver'> &
-    { readonly aov?: readonly AovName[] },
+  flags: PipelineFlags & Pick<SettingFlags, 'solver'> & { readonly aov?: readonly AovName[] },
 ): void {
   const idle = unusedOption(flags);
   if (idle)

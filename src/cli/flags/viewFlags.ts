@@ -48,6 +48,8 @@ export interface ObserverFlags extends StandpointFlags {
   readonly aperture?: number;
   /** [°] */
   readonly domeTilt?: number;
+  /** [m] */
+  readonly eyeSeparation?: number;
 }
 
 export const addStandpointFlags = (command: Command): Command =>
@@ -85,7 +87,7 @@ export const addObserverFlags = (command: Command): Command =>
       new Option(
         '--lens <name>',
         localized(
-          msg`how directions are shown: perspective; equirectangular, 360° around; fisheye, ahead in the middle; dome, a dome master: the zenith in the middle, ahead at the bottom; cube, 3 × 2 faces; cube-strip, six in a row (default: perspective)`,
+          msg`how directions are shown: perspective; equirectangular, 360° around; fisheye, ahead in the middle; dome, a dome master: the zenith in the middle, ahead at the bottom; cube, 3 × 2 faces; cube-strip, six in a row; stereo, 360° for two eyes, the left one’s picture above (default: perspective)`,
         ),
       ).choices(Object.keys(LENS_CHOICES)),
     )
@@ -98,6 +100,13 @@ export const addObserverFlags = (command: Command): Command =>
       '--dome-tilt <degrees>',
       localized(msg`of dome: by how much the dome is tilted towards the front (default: ${USUAL_LENS.domeTilt})`),
       parseDomeTilt,
+    )
+    .option(
+      '--eye-separation <m>',
+      localized(
+        msg`of stereo: the distance of the eyes, in the observer's frame [m] (default: ${USUAL_LENS.eyeSeparation})`,
+      ),
+      parsePositive,
     )
     .addOption(speedOfLightOption());
 

@@ -213,7 +213,7 @@ export async function openProjectPicture(
 }
 
 /** A lens is given as a whole. */
-const LENS_FLAGS = ['aperture', 'domeTilt', 'fov'];
+const LENS_FLAGS = ['aperture', 'domeTilt', 'eyeSeparation', 'fov'];
 
 /** A picture as a render job; explicitly given flags take precedence. As in the page, an observer who does not ride the scene's moving camera is at rest in it; in a film the camera is followed. */
 export function renderJobOf<Flags extends RenderFlags>(
@@ -263,11 +263,12 @@ export function refuseSceneFlags(given: ReadonlySet<string>): void {
 
 /** The flags of a lens, without those that it does not have. */
 function lensFlags(panorama: PanoramicLens): Partial<RenderFlags> {
-  const { lens, aperture, domeTilt } = choiceOf(panorama);
+  const { lens, aperture, domeTilt, eyeSeparation } = choiceOf(panorama);
   return {
     lens,
     ...(panorama.kind === 'fisheye' && { aperture }),
     ...(lens === 'dome' && { domeTilt }),
+    ...(lens === 'stereo' && { eyeSeparation }),
   };
 }
 

@@ -57,6 +57,7 @@ const PANORAMIC_SIZES: Partial<Record<LensChoice, PictureSize>> = {
   dome: { width: 1024, height: 1024 },
   cube: { width: 1536, height: 1024 },
   'cube-strip': { width: 3072, height: 512 },
+  stereo: { width: 2048, height: 2048 },
 };
 
 function checkSamples({ samples, antialiasing }: RenderFlags): void {

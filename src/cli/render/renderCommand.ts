@@ -64,7 +64,7 @@ export function renderCommand(): Command {
     )
     .addOption(
       sizeOption(
-        msg`picture size in pixels; of --lens equirectangular by default 2048x1024, of fisheye and dome 1024x1024, of cube 1536x1024, of cube-strip 3072x512`,
+        msg`picture size in pixels; of --lens equirectangular by default 2048x1024, of fisheye and dome 1024x1024, of cube 1536x1024, of cube-strip 3072x512, of stereo 2048x2048`,
       ),
     )
     .addOption(observerTimeOption())

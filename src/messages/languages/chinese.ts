@@ -2010,20 +2010,30 @@ const messages: Translation['messages'] = {
   'all around': '四周全景',
   'degrees above 0 and at most 360': '大于 0、不超过 360 的度数',
   'degrees from -90 to 90': '−90 到 90 的度数',
-  'how directions are shown: perspective; equirectangular, 360° around; fisheye, ahead in the middle; dome, a dome master: the zenith in the middle, ahead at the bottom; cube, 3 × 2 faces; cube-strip, six in a row (default: perspective)':
-    '方向如何显示：perspective 透视；equirectangular 等距柱状，360° 全景；fisheye 鱼眼，前方在中央；dome 球幕母版，天顶在中央，前方在下方；cube 立方体，3 × 2 个面；cube-strip 六个面排成一行（默认：perspective）',
+  'how directions are shown: perspective; equirectangular, 360° around; fisheye, ahead in the middle; dome, a dome master: the zenith in the middle, ahead at the bottom; cube, 3 × 2 faces; cube-strip, six in a row; stereo, 360° for two eyes, the left one’s picture above (default: perspective)':
+    '方向如何显示：perspective 透视；equirectangular 等距柱状，360° 全景；fisheye 鱼眼，前方在中央；dome 球幕母版，天顶在中央，前方在下方；cube 立方体，3 × 2 个面；cube-strip 六个面排成一行；stereo 供双眼观看的 360° 全景，左眼画面在上（默认：perspective）',
+  "of stereo: the distance of the eyes, in the observer's frame [m] (default: {})":
+    '用于 stereo：两眼的距离，在观察者的参考系中 [m]（默认：{1}）',
+  '--eye-separation is for two eyes: add --lens stereo, or leave it out':
+    '--eye-separation 用于双眼：请加上 --lens stereo，或去掉它',
+  'a stereo picture has one eye’s picture, twice as wide as high, above the other’s, and is as wide as high; {} × {} is not, or not even: take {} × {}':
+    '立体画面由上下两幅单眼画面组成，每幅宽是高的两倍，整幅宽高相等；{1} × {2} 不符合，或不是偶数：请用 {3} × {4}',
   'of fisheye and dome: the angle across the circle (default: {})': '用于 fisheye 和 dome：画面圆的张角（默认：{1}）',
   'of dome: by how much the dome is tilted towards the front (default: {})':
     '用于 dome：球幕向前倾斜的角度（默认：{1}）',
-  'picture size in pixels; of --lens equirectangular by default 2048x1024, of fisheye and dome 1024x1024, of cube 1536x1024, of cube-strip 3072x512':
-    '画面的像素尺寸；--lens equirectangular 默认 2048x1024，fisheye 和 dome 默认 1024x1024，cube 默认 1536x1024，cube-strip 默认 3072x512',
+  'picture size in pixels; of --lens equirectangular by default 2048x1024, of fisheye and dome 1024x1024, of cube 1536x1024, of cube-strip 3072x512, of stereo 2048x2048':
+    '画面的像素尺寸；--lens equirectangular 默认 2048x1024，fisheye 和 dome 默认 1024x1024，cube 默认 1536x1024，cube-strip 默认 3072x512，stereo 默认 2048x2048',
   Lens: '镜头',
-  'How directions are shown. Equirectangular and cube pictures show all around; a dome master has the zenith in the middle and what is ahead at the bottom.':
-    '方向如何显示。等距柱状和立方体画面显示四周全景；球幕母版的中央是天顶，下方是前方。',
+  'How directions are shown. Equirectangular, cube and stereo pictures show all around; a dome master has the zenith in the middle and what is ahead at the bottom.':
+    '方向如何显示。等距柱状、立方体和立体画面显示四周全景；球幕母版的中央是天顶，下方是前方。',
   'Angle of view': '视角',
   'The angle across the circle.': '画面圆的张角。',
   'Dome tilt': '球幕倾角',
   'By how much the dome is tilted towards the front.': '球幕向前倾斜的角度。',
+  'Stereo, 360°': '立体 360°',
+  'Distance of the eyes': '两眼距离',
+  'In your rest frame. Far-off things look deep with eyes that are farther apart, as if the world were smaller.':
+    '在您的静止系中。两眼离得越远，远处的物体看起来越有立体感，仿佛世界变小了。',
   '{} is of a perspective lens; leave it out, or choose that lens': '“{1}”只适用于透视镜头；请去掉它，或改用透视镜头',
   Perspective: '透视',
   'Equirectangular, 360°': '等距柱状，360°',

@@ -9,5 +9,6 @@ export function sphericalFileOf(views: PictureViews, size: PictureSize): Spheric
   if (others.length > 0 || view.viewport || !fillsPicture(view.lens, size)) return undefined;
   const { lens } = view;
   if (lens.kind === 'equirectangular') return { projection: 'equirectangular', stereo: 'none' };
+  if (lens.kind === 'stereo') return { projection: 'equirectangular', stereo: 'top-bottom' };
   return lens.kind === 'cube' && lens.layout === '3x2' ? { projection: 'cubemap', stereo: 'none' } : undefined;
 }

@@ -31,7 +31,7 @@ export const sceneCameraNode = defineNode({
     lens: {
       kind: 'choice',
       title: msg`Lens`,
-      help: msg`How directions are shown. Equirectangular and cube pictures show all around; a dome master has the zenith in the middle and what is ahead at the bottom.`,
+      help: msg`How directions are shown. Equirectangular, cube and stereo pictures show all around; a dome master has the zenith in the middle and what is ahead at the bottom.`,
       default: USUAL_LENS.lens,
       options: Object.entries(LENS_CHOICES).map(([value, title]) => ({ value: value as LensChoice, title })),
     },
@@ -57,6 +57,17 @@ export const sceneCameraNode = defineNode({
       step: 1,
       onlyWhen: { param: 'lens', is: 'dome' },
     },
+    eyeSeparation: {
+      kind: 'number',
+      title: msg`Distance of the eyes`,
+      help: msg`In your rest frame. Far-off things look deep with eyes that are farther apart, as if the world were smaller.`,
+      unit: 'm',
+      default: USUAL_LENS.eyeSeparation,
+      min: 0.001,
+      max: 1e9,
+      step: 0.001,
+      onlyWhen: { param: 'lens', is: 'stereo' },
+    },
     fieldOfView: {
       kind: 'number',
       title: msg`Field of view`,
@@ -72,7 +83,7 @@ export const sceneCameraNode = defineNode({
   },
   inputs: { relativity: { type: 'relativity' } },
   outputs: { view: { type: 'view' } },
-  async evaluate({ relativity }, { camera, ride, smooth, fieldOfView, lens, aperture, domeTilt }, { node }) {
+  async evaluate({ relativity }, { camera, ride, smooth, fieldOfView, ...chosen }, { node }) {
     const { cameras } = relativity.scene;
     if (camera && !cameras.some(({ path }) => path === camera)) {
       const message = msg`there is no camera ${camera}; the scene has ${listed(cameras.map(({ path }) => path)) || msg`none`}`;
@@ -81,7 +92,7 @@ export const sceneCameraNode = defineNode({
     }
     if (ride) assertRideable(relativity, camera);
     const fovY = fieldOfView === undefined ? undefined : radians(fieldOfView);
-    const panorama = panoramicLens({ lens, aperture, domeTilt });
+    const panorama = panoramicLens(chosen);
     const view = { ...relativity, camera, ride, smooth, fovY, ...(panorama && { panorama }) };
     if (!smooth || !ride) return { view };
     const { smoothCourse } = await import('../../scene/view/cameraCourse.ts');

@@ -24,7 +24,7 @@ export interface SpacetimeRay {
  * s: distance from the camera in his space [m]. docs/physics.md §10.5.
  */
 export interface SightCurve {
-  /** Where chords of it end, in order; the first is 0 and the last infinite. From chord to curve are at most 2 · 10⁻⁴ of the distance from the eye. */
+  /** Where chords of it end, in order; the first is 0 and the last infinite. */
   readonly knots: readonly number[];
   /** The straight ray through the events at knots k and k + 1. */
   chord(k: number): SpacetimeRay;
@@ -34,7 +34,12 @@ export interface SightCurve {
   lightFrom(s: number): SpacetimeRay;
 }
 
-/** The ray of light by which a hit of a camera ray is seen: that ray itself, but from beside the eye. */
+/**
+ * The ray of light by which a hit of a camera ray is seen: that ray itself, but from beside the eye.
+ * @example
+ * const ray = { t: 0, x: [0, 0, 0], dt: -1, dx: [0, 0, -1] } as const;
+ * lightOf(ray, { s: 4 }); // { dt: -1, dx: [0, 0, -1] }
+ */
 export const lightOf = (ray: SpacetimeRay, { s }: Pick<Hit, 's'>): SpacetimeRay => ray.curve?.lightFrom(s) ?? ray;
 
 /** Where a ray meets a surface. */

@@ -1,6 +1,6 @@
 import { rotate } from '../../math/quat.ts';
-import { dot, type Vec3 } from '../../math/vec3.ts';
-import { lensDirection } from '../../scene/view/lenses/lenses.ts';
+import { add, dot, type Vec3, ZERO } from '../../math/vec3.ts';
+import { lensDirection, lensEye } from '../../scene/view/lenses/lenses.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
@@ -8,8 +8,8 @@ import { sightCurve } from './sightCurve.ts';
 
 /**
  * The camera ray of the point (x, y) of a picture [px from its top left corner; the first pixel's centre is at (½, ½)]. Its `s` is the apparent
- * distance from the camera in the observer's frame [m], the depth in pictures. Undefined where the lens shows nothing, outside the circle of a fisheye. From a vantage it
- * has a `curve`. The solver setting, which is for comparisons in the rasterizer, is ignored. docs/physics.md §3.7, §10.5.
+ * distance from the camera in the observer's frame [m], the depth in pictures. Undefined where the lens shows nothing, outside the circle of a fisheye. From a vantage, and with a
+ * stereo lens, it has a `curve`. The solver setting, which is for comparisons in the rasterizer, is ignored. docs/physics.md §3.7, §10.5.
  * @example
  * import { DEFAULT_SETTINGS, perspective } from 'slowlight/scene';
  * const view = {
@@ -33,8 +33,11 @@ export function cameraRay(
   const n = directionAt(view, x, y, width, height);
   if (!n) return undefined;
   const ray = rayToward(view, settings, n);
-  const { vantage } = view;
-  return vantage && dot(vantage, vantage) > 0 ? { ...ray, curve: sightCurve(view, vantage, n, settings) } : ray;
+  const eye = lensEye(view.lens, x, y, { width, height });
+  const vantage = eye ? add(view.vantage ?? ZERO, rotate(view.orientation, eye)) : view.vantage;
+  return vantage && dot(vantage, vantage) > 0
+    ? { ...ray, curve: sightCurve(view, vantage, n, settings, view.vantage ? 'vantage' : 'head') }
+    : ray;
 }
 
 /** n′ of a point of the picture: unit, observer's frame, on the world's axes carried by the pure boost; undefined where the lens shows nothing. */

@@ -34,7 +34,7 @@ describe('what is seen from beside the eye', () => {
     fc.assert(
       fc.property(observer, uniform(0, 20), ({ u, vantage, n }, s) => {
         const eye = { t: 3, position: [1, -2, 0.5] as Vec3, u };
-        const curve = sightCurve(eye, vantage, n, settings);
+        const curve = sightCurve(eye, vantage, n, settings, 'vantage');
         const there = addScaled(vantage, n, s);
         const event = at(curve.tangent(s), s);
         const shown = placementIn(settings).position(sub(event.position, eye.position), u);

@@ -10,7 +10,7 @@ import type { Body } from '../geometry/bodies.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
-import { faceOrientation } from '../lenses/cubeFaceViews.ts';
+import { faceOrientation } from '../lenses/pictureFaces.ts';
 import type { drawOpaque, GBufferView } from '../opaqueGeometry.ts';
 import { CaptureSchedule } from './captureSchedule.ts';
 import { ATLAS_GRID, CaptureWarp } from './captureWarp.ts';

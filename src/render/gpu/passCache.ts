@@ -1,10 +1,13 @@
 import type { Node, RenderTarget, WebGPURenderer } from 'three/webgpu';
+import type { PixelRect } from '../../scene/view/pictureViews.ts';
 import { FullScreenPass, type PassRegion } from './fullScreenPass.ts';
 
 interface PassOptions {
   /** Serial number of the scene upload that the pass reads. */
   readonly owner?: number;
   readonly region?: PassRegion;
+  /** The pixels that the pass draws; absent: all. */
+  readonly rect?: PixelRect;
   /** Whether what the target holds is kept, except where the pass draws. */
   readonly over?: boolean;
 }
@@ -22,12 +25,15 @@ export class PassCache {
     name: string,
     output: () => Node,
     target: RenderTarget | null,
-    { owner, region, over = region === 'surfaces' }: PassOptions = {},
+    { owner, region, rect, over = region === 'surfaces' }: PassOptions = {},
   ): void {
     const key = owner === undefined ? name : `${owner}/${name}`;
     const pass = this.passes.get(key) ?? new FullScreenPass(output(), name, region);
     this.passes.set(key, pass);
+    if (target && rect) target.scissor.set(rect.x, rect.y, rect.width, rect.height);
+    if (target) target.scissorTest = rect !== undefined;
     pass.render(this.renderer, target, over);
+    if (target) target.scissorTest = false;
   }
 
   /** Disposes of the passes that read a scene. */

@@ -10,6 +10,7 @@ export const LENS_NUMBERS: Readonly<Record<Lens['kind'], number>> = {
   equirectangular: 1,
   fisheye: 2,
   cube: 3,
+  stereo: 4,
 };
 
 /** The lens of the picture, but for a perspective one, of which the frustum has uniforms of its own. */

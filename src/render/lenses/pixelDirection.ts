@@ -56,9 +56,14 @@ export function panoramicDirection(place: Vec2, { kind, scale, aperture, elevati
   const direction = equirectangularDirection(filled).toVar();
   If(kind.equal(LENS_NUMBERS.fisheye), () => {
     direction.assign(fisheyeDirection(filled, aperture, elevation));
-  }).ElseIf(kind.equal(LENS_NUMBERS.cube), () => {
-    direction.assign(cubeDirection(filled, grid));
-  });
+  })
+    .ElseIf(kind.equal(LENS_NUMBERS.cube), () => {
+      direction.assign(cubeDirection(filled, grid));
+    })
+    .ElseIf(kind.equal(LENS_NUMBERS.stereo), () => {
+      const down = select(filled.y.lessThan(0), float(1), -1);
+      direction.assign(equirectangularDirection(vec2(filled.x, filled.y.mul(2).add(down))));
+    });
   return direction;
 }
 

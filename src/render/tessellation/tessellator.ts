@@ -96,14 +96,14 @@ export class Tessellator {
   }
 
   /** Whether a better plan for this view is being made than the one that it was drawn with. */
-  awaitsBetter(viewIndex: number): boolean {
-    return this.planner.awaitsBetter(viewIndex);
+  awaitsBetter(viewIndex: number | undefined): boolean {
+    return viewIndex !== undefined && this.planner.awaitsBetter(viewIndex);
   }
 
-  /** Tessellates the batches that may be visible in a view and hides the others. `viewIndex`: index of the view in the picture. `continues`: it is another face of the same picture. */
+  /** Tessellates the batches that may be visible in a view and hides the others. `viewIndex`: index of the view in the picture, undefined for one of many parts. `continues`: it is another face of the same picture. */
   update(
     view: Omit<TessellationView, 'tolerance' | 'maxPatches'>,
-    viewIndex: number,
+    viewIndex: number | undefined,
     isVisible: (batch: Batch) => boolean,
     continues = false,
   ): void {

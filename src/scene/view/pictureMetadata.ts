@@ -49,6 +49,8 @@ function lensMetadata(lens: Lens): Record<string, string> {
       };
     case 'cube':
       return { lens: `${lens.kind} ${lens.layout}` };
+    case 'stereo':
+      return { lens: `${lens.kind}, left eye above right eye, ${lens.separation} m apart` };
   }
 }
 

@@ -124,6 +124,7 @@ function isMeasured(
 ): boolean {
   switch (lens.kind) {
     case 'equirectangular':
+    case 'stereo':
       return Math.hypot(right, back) > 0.8;
     case 'fisheye':
       return Math.sin(lens.elevation) * up - Math.cos(lens.elevation) * back > 0;

@@ -10,8 +10,8 @@ export interface PlannedPart {
 }
 
 export interface PlanRequest {
-  /** Index of the view in its picture. */
-  readonly viewIndex: number;
+  /** Index of the view in its picture; undefined for one of many parts of it, of which no plans are kept. */
+  readonly viewIndex: number | undefined;
   readonly view: TessellationView;
   /** By batch: whether any of it may be in the picture. */
   readonly visible: readonly boolean[];

@@ -30,7 +30,7 @@ const MAX_SCENE_BYTES = 2 ** 28;
 
 /** A request, and whether its plan is exact: for this view only. */
 interface PlanTask {
-  readonly request: PlanRequest;
+  readonly request: PlanRequest & { readonly viewIndex: number };
   readonly exact: boolean;
 }
 
@@ -73,13 +73,15 @@ export class WorkerPlanner implements Planner {
 
   plan(request: PlanRequest): FramePlans {
     const { view, visible, viewIndex } = request;
+    if (viewIndex === undefined) return this.planLocally(request);
     const state = this.plansOf(viewIndex);
     const { wide, exact } = state;
     state.awaitsBetter = false;
-    if (exact && isEqual(exact.request, request)) return exact.plans;
+    const kept = { ...request, viewIndex };
+    if (exact && isEqual(exact.request, kept)) return exact.plans;
     const isAtRest = wide !== undefined && isEqual(wide.view, view);
     // A wide plan includes all batches, because others may be visible when it arrives.
-    const task = isAtRest ? request : { viewIndex, view, visible: visible.map(() => true) };
+    const task = isAtRest ? kept : { viewIndex, view, visible: visible.map(() => true) };
     this.enqueue({ request: task, exact: isAtRest }, state);
     const fits = wide !== undefined && isNearlyEqual(wide.view, view);
     state.awaitsBetter = fits || this.streamed.includes(true);

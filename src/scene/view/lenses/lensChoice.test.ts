@@ -9,6 +9,7 @@ const choices = fc.record({
   lens: fc.constantFrom(...names.filter((name) => name !== 'perspective')),
   aperture: fc.double({ min: 1, max: 360, noNaN: true }),
   domeTilt: fc.double({ min: -90, max: 80, noNaN: true }),
+  eyeSeparation: fc.double({ min: 0.001, max: 100, noNaN: true }),
 });
 const sizes = fc.record({ width: fc.integer({ min: 6, max: 4000 }), height: fc.integer({ min: 2, max: 4000 }) });
 

@@ -14,6 +14,7 @@ export const LENS_CHOICES = {
   dome: msg`Dome`,
   cube: msg`Cube, 3 × 2 faces`,
   'cube-strip': msg`Cube, faces in a row`,
+  stereo: msg`Stereo, 360°`,
 } as const satisfies Readonly<Record<string, LocalizedText>>;
 export type LensChoice = keyof typeof LENS_CHOICES;
 
@@ -24,13 +25,15 @@ export interface ChosenLens {
   readonly aperture: number;
   /** Of domes: by how much they are tilted towards the front [°]. */
   readonly domeTilt: number;
+  /** Of stereo: the distance of the eyes [m]. */
+  readonly eyeSeparation: number;
 }
 
-/** Usual values: a hemispherical dome that is not tilted. */
-export const USUAL_LENS: ChosenLens = { lens: 'perspective', aperture: 180, domeTilt: 0 };
+/** Usual values: a hemispherical dome that is not tilted; eyes as far apart as people's are on average. */
+export const USUAL_LENS: ChosenLens = { lens: 'perspective', aperture: 180, domeTilt: 0, eyeSeparation: 0.063 };
 
 /** The panoramic lens of a choice; undefined for the perspective one, which is the camera's. */
-export function panoramicLens({ lens, aperture, domeTilt }: ChosenLens): PanoramicLens | undefined {
+export function panoramicLens({ lens, aperture, domeTilt, eyeSeparation }: ChosenLens): PanoramicLens | undefined {
   switch (lens) {
     case 'perspective':
       return undefined;
@@ -44,6 +47,8 @@ export function panoramicLens({ lens, aperture, domeTilt }: ChosenLens): Panoram
       return { kind: 'cube', layout: '3x2' };
     case 'cube-strip':
       return { kind: 'cube', layout: '6x1' };
+    case 'stereo':
+      return { kind: 'stereo', separation: eyeSeparation };
   }
 }
 
@@ -55,16 +60,23 @@ export function choiceOf(lens: PanoramicLens): ChosenLens {
     case 'fisheye': {
       const aperture = degrees(lens.aperture);
       if (lens.elevation === 0) return { ...USUAL_LENS, lens: 'fisheye', aperture };
-      return { lens: 'dome', aperture, domeTilt: 90 - degrees(lens.elevation) };
+      return { ...USUAL_LENS, lens: 'dome', aperture, domeTilt: 90 - degrees(lens.elevation) };
     }
     case 'cube':
       return { ...USUAL_LENS, lens: lens.layout === '3x2' ? 'cube' : 'cube-strip' };
+    case 'stereo':
+      return { ...USUAL_LENS, lens: 'stereo', eyeSeparation: lens.separation };
   }
 }
 
 /** The largest picture of whole pixels within a size that a lens fills; any size for one whose picture is a circle. */
 export function fittedSize(lens: Lens, { width, height }: PictureSize): PictureSize {
   if (lens.kind === 'perspective' || lens.kind === 'fisheye') return { width, height };
+  // A stereo picture has two halves of twice as many pixels across as up.
+  if (lens.kind === 'stereo') {
+    const side = Math.max(2, 2 * Math.floor(Math.min(width, height) / 2));
+    return { width: side, height: side };
+  }
   const [columns, rows] = lens.kind === 'cube' ? CUBE_GRIDS[lens.layout] : [2, 1];
   const side = Math.max(1, Math.floor(Math.min(width / columns, height / rows)));
   return { width: side * columns, height: side * rows };
@@ -81,6 +93,10 @@ export function assertLensShape(lens: Lens, size: PictureSize): void {
   if (fillsPicture(lens, size)) return;
   const { width, height } = size;
   const { width: w, height: h } = fittedSize(lens, size);
+  if (lens.kind === 'stereo')
+    throw new MessageError(
+      msg`a stereo picture has one eye’s picture, twice as wide as high, above the other’s, and is as wide as high; ${width} × ${height} is not, or not even: take ${w} × ${h}`,
+    );
   throw new MessageError(
     lens.kind === 'equirectangular'
       ? msg`an equirectangular picture is twice as wide as high, and ${width} × ${height} is not; take ${w} × ${h}`

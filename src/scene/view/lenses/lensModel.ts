@@ -20,4 +20,6 @@ export interface LensModel<Lens> {
    * equirectangular picture, where ever fewer directions are stretched over as many pixels.
    */
   pixelsPerRadian(lens: Lens, size: PictureSize): number;
+  /** Where the eye is that sees a place, from the camera on its axes, in the observer's frame [m]; absent: there. */
+  eyeAt?(lens: Lens, place: PicturePlace): Vec3;
 }

@@ -6,9 +6,10 @@ import { type FisheyeLens, fisheyeModel } from './fisheyeLens.ts';
 import type { LensModel, PicturePlace } from './lensModel.ts';
 import type { PerspectiveLens } from './perspectiveLens.ts';
 import { perspectiveModel } from './perspectiveModel.ts';
+import { type StereoLens, stereoModel } from './stereoLens.ts';
 
-/** Lenses whose pictures a rasterizer cannot draw in one go, because straight lines are curved in them: it draws the faces of a cube instead. */
-export type PanoramicLens = EquirectangularLens | FisheyeLens | CubeLens;
+/** Lenses whose pictures a rasterizer cannot draw in one go, because straight lines are curved in them: it draws faces instead. */
+export type PanoramicLens = EquirectangularLens | FisheyeLens | CubeLens | StereoLens;
 
 /** How the directions seen by a camera map to its picture, as plain data. */
 export type Lens = PerspectiveLens | PanoramicLens;
@@ -19,6 +20,7 @@ const LENSES: { readonly [Kind in Lens['kind']]: LensModel<Extract<Lens, { reado
   equirectangular: equirectangularModel,
   fisheye: fisheyeModel,
   cube: cubeModel,
+  stereo: stereoModel,
 };
 
 /** The lens of a picture that is known to have a perspective one. Throws a RangeError if it has not. */
@@ -39,6 +41,7 @@ export function pictureShape(lens: Lens): number | undefined {
     case 'equirectangular':
       return 2;
     case 'fisheye':
+    case 'stereo':
       return 1;
     case 'cube': {
       const [columns, rows] = CUBE_GRIDS[lens.layout];
@@ -69,6 +72,10 @@ export function lensDirection(lens: Lens, x: number, y: number, size: PictureSiz
   const { place, filled } = placeAt(lens, x, y, size);
   return isPanoramic(lens) && !isFilled(place) ? undefined : modelOf(lens).directionAt(lens, place, filled);
 }
+
+/** Where the eye is that sees a point of a picture, from the camera on its axes [m]; undefined: there. */
+export const lensEye = (lens: Lens, x: number, y: number, size: PictureSize): Vec3 | undefined =>
+  modelOf(lens).eyeAt?.(lens, placeAt(lens, x, y, size).place);
 
 /** Where a direction (unit, camera axes) is in a picture [px from its top left corner], possibly outside it; undefined if it has no place in its plane. */
 export function lensPixel(lens: Lens, direction: Vec3, size: PictureSize): readonly [number, number] | undefined {
