@@ -7,7 +7,8 @@
 export type * from './acceleration/ray.ts';
 export { lightOf } from './acceleration/ray.ts';
 export { dopplerOfHit } from './aov.ts';
-export { cameraRay, rayToward } from './camera/cameraRay.ts';
+export { cameraRay } from './camera/cameraRay.ts';
+export { rayToward } from './camera/lensRay.ts';
 export { type TransparentMode, visibleHit } from './camera/visibleHit.ts';
 export { createTracedScene, nearestHit, type TracedScene } from './intersection/tracedScene.ts';
 export { DEFAULT_LIGHT, type LightOptions } from './lights/lightOptions.ts';

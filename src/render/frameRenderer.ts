@@ -16,12 +16,12 @@ import type { SpacetimeProjection } from './geometry/vertexStage.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { PassCache } from './gpu/passCache.ts';
-import { FaceGatherer } from './lenses/faceGatherer.ts';
+import type { FaceGatherer } from './lenses/faceGatherer.ts';
 import { drawOpaque } from './opaqueGeometry.ts';
 import type { PictureParts } from './pictureParts.ts';
 import type { BoundFace, BoundRenderView, PictureSample } from './pictureSample.ts';
 import { type DisplaySettings, displayKey } from './post/display/display.ts';
-import { FalseColorTable, falseColored } from './post/display/falseColor.ts';
+import type { FalseColorTable } from './post/display/falseColor.ts';
 import { LightMeter } from './post/display/lightMeter.ts';
 import { Antialiasing, type AntialiasingMode } from './post/resolve/antialiasing.ts';
 import type { SceneUpload } from './sceneUpload.ts';
@@ -47,12 +47,12 @@ export class FrameRenderer {
   private readonly deferredPasses: DeferredPass[] = [];
   /** Of one face of a panoramic picture at a time. */
   private readonly facePasses: DeferredPass[] = [];
-  private readonly gatherer: FaceGatherer;
+  private gatherer: FaceGatherer | undefined;
   /** By G-buffer. */
   private readonly captures: Capture[] = [];
   /** By the structure of their frame graphs; the most recently used is the last. */
   private readonly runners = new Map<string, FrameGraphRunner>();
-  private readonly falseColors = new FalseColorTable();
+  private falseColors: FalseColorTable | undefined;
   private size = { width: 1, height: 1 };
   private faceSize = { width: 1, height: 1 };
   /** Light of the last sample. */
@@ -66,7 +66,6 @@ export class FrameRenderer {
     this.parts = parts;
     this.uniforms = uniforms;
     this.passes = new PassCache(gpu.renderer);
-    this.gatherer = new FaceGatherer(uniforms, this.passes);
     this.light = this.deferredPass(0).light();
     const light = () => this.light.texture;
     this.antialiasing = new Antialiasing({
@@ -120,18 +119,20 @@ export class FrameRenderer {
     over: boolean,
   ): void {
     this.setFaceSize(face.size);
+    this.gatherer ??= new this.parts.faces.FaceGatherer(this.uniforms, this.passes);
+    const { gatherer } = this;
     const own = lights.map((light) => ({ ...light, lighting: { ...light.lighting, occlusionRadius: 0 } }));
     // Made before the G-buffer is drawn, as `DeferredPass.light` demands.
     for (const { buffer, index } of own) this.facePass(buffer).light(index);
     drawSurfaces(views, own, camera, (i) => this.facePass(i));
-    this.gatherer.setFace(face, position);
+    gatherer.setFace(face, position);
     views.forEach((view, i) => {
       if (!view) return;
       pictureViews[i].bind();
       const indices = own.flatMap(({ buffer, index }) => (buffer === i ? [index] : []));
       const to = this.deferredPass(i);
       to.setGathered();
-      this.gatherer.gather(this.facePass(i), to, indices, over);
+      gatherer.gather(this.facePass(i), to, indices, over);
     });
   }
 
@@ -217,6 +218,8 @@ export class FrameRenderer {
   }
 
   private drawFalseColors(displayState: DisplayState, colors: FalseColorScale, target: RenderTarget | null): void {
+    const { FalseColorTable, falseColored } = this.parts.falseColors;
+    this.falseColors ??= new FalseColorTable();
     const { falseColors, buffer, uniforms } = this;
     const { target: lit, index } = this.beauty();
     const light = lit.textures[index];
@@ -262,7 +265,7 @@ export class FrameRenderer {
       this.pixelReader,
     ])
       owned.dispose();
-    this.falseColors.dispose();
+    this.falseColors?.dispose();
     for (const target of [this.screen, this.antialiasing]) target.dispose();
   }
 }

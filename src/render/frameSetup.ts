@@ -24,7 +24,7 @@ import { FAR, NEAR } from './gpu/depth.ts';
 import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import { setObserverUniforms } from './gpu/observerUniforms.ts';
 import { setLensUniforms } from './lenses/lensUniforms.ts';
-import { facesOf, faceViewPoint } from './lenses/pictureFaces.ts';
+import type { PictureParts } from './pictureParts.ts';
 import type { BoundFace, BoundRenderView, DueCapture, PictureSample } from './pictureSample.ts';
 import { PIXEL_CENTER, type SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
@@ -131,7 +131,7 @@ export class FrameSetup {
    * What one sample of prepared buffers is drawn with, at this position within their pixels. Each face of a panoramic picture is prepared when it is bound, since all
    * share the tables of objects and the tessellation.
    */
-  sample(buffers: ViewBuffers, position: SamplePosition, size: PictureSize): PictureSample {
+  sample(buffers: ViewBuffers, position: SamplePosition, size: PictureSize, parts: PictureParts): PictureSample {
     const [first, ...others] = buffers.map((view): BoundRenderView => {
       // After the faces of its capture it is prepared again.
       const wasInterrupted = view.capture?.isDue && !isPanoramic(view.viewPoint.lens);
@@ -146,6 +146,7 @@ export class FrameSetup {
     const { camera } = this;
     const shared = { views: [first, ...others] as const, captures, camera, time: buffers[0].viewPoint.t };
     if (!panoramic) return { ...shared, faces: [] };
+    const { facesOf, faceViewPoint } = parts.faces;
     const faces = facesOf(panoramic.viewPoint, size).map((face, k): BoundFace => {
       const views = buffers.map((buffer): BoundRenderView | undefined => {
         if (!isPanoramic(buffer.viewPoint.lens)) return undefined;

@@ -1,3 +1,5 @@
+import { isPanoramic } from '../scene/view/lenses/lenses.ts';
+import type { PictureViews } from '../scene/view/pictureViews.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import type { Capture } from './capture/capture.ts';
 import type { FrameGraphRunner } from './frameGraph/frameGraphRunner.ts';
@@ -6,18 +8,20 @@ import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import type { PictureOverlay } from './post/display/overlay.ts';
 import type { RendererOptions } from './settings.ts';
 
-type PartSettings = Pick<RenderSettings, 'ghost' | 'pastFuture' | 'frameGraph' | 'outside' | 'capture'>;
+type PartSettings = Pick<RenderSettings, 'ghost' | 'pastFuture' | 'falseColors' | 'frameGraph' | 'outside' | 'capture'>;
 
 const hasOverlay = ({ ghost, pastFuture }: PartSettings): boolean => ghost !== 'none' || pastFuture;
 
 const hasCapture = ({ capture, frameGraph }: PartSettings): boolean =>
   capture !== undefined || (frameGraph?.extraBuffers.some((buffer) => buffer.capture) ?? false);
 
-/** Code that few pictures need: overlays, frame graphs and captures. All renderers share it. */
+/** Code that few pictures need: overlays, frame graphs, captures, false colours and faces of panoramas. All renderers share it. */
 const PARTS = {
   overlay: lazyPart(async () => (await import('./post/display/makeOverlay.ts')).makeOverlay),
   runner: lazyPart(async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner),
   capture: lazyPart(async () => (await import('./capture/capture.ts')).Capture),
+  falseColors: lazyPart(() => import('./post/display/falseColor.ts')),
+  faces: lazyPart(() => import('./lenses/faces.ts')),
 };
 
 /** What a renderer uses of it: loaded by the first picture that needs it, which is not drawn before. */
@@ -34,8 +38,8 @@ export class PictureParts {
   }
 
   /** Whether a picture can be drawn; otherwise loads what it needs. Without overlays that cannot be loaded it is drawn. */
-  isReady(settings: PartSettings): boolean {
-    const missing = neededBy(settings).filter((part) => !part.code && !(part === PARTS.overlay && part.error));
+  isReady(views: PictureViews, settings: PartSettings): boolean {
+    const missing = neededBy(views, settings).filter((part) => !part.code && !(part === PARTS.overlay && part.error));
     for (const part of missing)
       if (!this.wanted.has(part)) {
         this.wanted.add(part);
@@ -49,8 +53,8 @@ export class PictureParts {
   }
 
   /** Loads what a picture needs. Rejects if it cannot be loaded. */
-  async load(settings: PartSettings): Promise<void> {
-    await Promise.all(neededBy(settings).map((part) => part.load()));
+  async load(views: PictureViews, settings: PartSettings): Promise<void> {
+    await Promise.all(neededBy(views, settings).map((part) => part.load()));
   }
 
   /** Loads what runs frame graphs. */
@@ -75,6 +79,18 @@ export class PictureParts {
     return PARTS.capture.code;
   }
 
+  /** Displays numbers as colours; for pictures that are ready. */
+  get falseColors(): NonNullable<typeof PARTS.falseColors.code> {
+    if (!PARTS.falseColors.code) throw new Error('false colours are not loaded yet');
+    return PARTS.falseColors.code;
+  }
+
+  /** What puts panoramic pictures together; for pictures that are ready. */
+  get faces(): NonNullable<typeof PARTS.faces.code> {
+    if (!PARTS.faces.code) throw new Error('faces are not loaded yet');
+    return PARTS.faces.code;
+  }
+
   /** The overlay of a picture that is ready; undefined if it has none. `ghost`: the G-buffer of its ghost. */
   overlayOf(settings: PartSettings, picture: GBuffer, ghost: () => GBuffer): PictureOverlay | undefined {
     if (!hasOverlay(settings) || !PARTS.overlay.code) return undefined;
@@ -94,12 +110,14 @@ export class PictureParts {
   }
 }
 
-function neededBy(settings: PartSettings): readonly LazyPart<unknown>[] {
-  const { overlay, runner, capture } = PARTS;
+function neededBy(views: PictureViews, settings: PartSettings): readonly LazyPart<unknown>[] {
+  const { overlay, runner, capture, falseColors, faces } = PARTS;
   return [
     ...(hasOverlay(settings) ? [overlay] : []),
     ...(settings.frameGraph ? [runner] : []),
     ...(hasCapture(settings) ? [capture] : []),
+    ...(settings.falseColors ? [falseColors] : []),
+    ...(views.some(({ lens }) => isPanoramic(lens)) ? [faces] : []),
   ];
 }
 

@@ -142,7 +142,7 @@ class PreviewTargets {
   draw(
     frameGraph: FrameGraph,
     requests: readonly PreviewRequest[],
-    { frameSetup, buffers }: RenderContext,
+    { frameSetup, parts, buffers }: RenderContext,
     onPreview: OnPreview,
   ): void {
     const [first] = buffers;
@@ -152,7 +152,7 @@ class PreviewTargets {
       { ...first, settings },
       ...others.map((view, i) => ({ ...view, settings: bufferSettings(settings, i + 1) })),
     ];
-    const sample = frameSetup.sample(shown(buffers), PIXEL_CENTER, size);
+    const sample = frameSetup.sample(shown(buffers), PIXEL_CENTER, size, parts);
     this.frameRenderer.draw(sample, (pass, image) => {
       requests.forEach((request, i) => {
         if (request.kind === 'image' && request.step === pass) onPreview(i, this.image(image, request.exposure));

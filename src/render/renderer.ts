@@ -162,7 +162,7 @@ export class SceneRenderer implements RasterRenderer {
     const { uploads } = this;
     // Another speed of light may need another upload first.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
-    if (!this.pictureParts.isReady(settings)) return this.pictureParts.load(settings);
+    if (!this.pictureParts.isReady(views, settings)) return this.pictureParts.load(views, settings);
     const mode = antialiasingModeOf(views, settings, sampling);
     if (this.compiled.has(shaderKey(views, settings, mode, uploads.of(settings)))) return undefined;
     this.precompiling ??= this.compile(views, settings, mode).finally(() => {
@@ -190,7 +190,7 @@ export class SceneRenderer implements RasterRenderer {
   render(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): void {
     const start = performance.now();
     assertViewports(views, this.requestedSize);
-    if (!this.pictureParts.isReady(settings)) return;
+    if (!this.pictureParts.isReady(views, settings)) return;
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
     if (pictures.length === 0) return;

@@ -221,7 +221,7 @@ export class ViewRenderer {
 
   /** Draws the prepared buffers, sampled at one position within each pixel. */
   private drawBuffers(buffers: ViewBuffers, position: SamplePosition): void {
-    this.frameRenderer.draw(this.frameSetup.sample(buffers, position, this.rect));
+    this.frameRenderer.draw(this.frameSetup.sample(buffers, position, this.rect, this.parts));
   }
 
   /** Draws the last picture at the pixels' centres: data that is read back is never averaged. */

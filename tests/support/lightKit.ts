@@ -1,6 +1,6 @@
 import { IDENTITY } from '../../src/math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
-import { rayToward } from '../../src/reference/camera/cameraRay.ts';
+import { rayToward } from '../../src/reference/camera/lensRay.ts';
 import { createTracedScene, type TracedScene } from '../../src/reference/intersection/tracedScene.ts';
 import type { LightOptions } from '../../src/reference/lights/lightOptions.ts';
 import { pixelSequence } from '../../src/reference/sampling/pixelSequence.ts';

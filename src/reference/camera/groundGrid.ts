@@ -4,7 +4,7 @@ import { upVector } from '../../scene/lights/sceneLights.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
-import { directionAt } from './cameraRay.ts';
+import { directionAt } from './lensRay.ts';
 
 /** A colour drawn over the picture with the opacity `cover`, 0 … 1. Display values, linear sRGB. */
 export interface Overlay {

@@ -15,7 +15,8 @@ import { isLuminous, placementIn, VIEW_NAMES, type View } from '../../scene/view
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 import { dopplerOfHit } from '../aov.ts';
 import { createTracedScene } from '../intersection/tracedScene.ts';
-import { cameraRay, directionAt } from './cameraRay.ts';
+import { cameraRay } from './cameraRay.ts';
+import { directionAt } from './lensRay.ts';
 import { sightCurve } from './sightCurve.ts';
 import { visibleHit } from './visibleHit.ts';
 

@@ -11,7 +11,8 @@ import type { Mesh, Motion, SampledMotion, SceneObject } from '../../scene/types
 import { perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import type { Hit } from '../acceleration/ray.ts';
 import { dopplerOfHit } from '../aov.ts';
-import { cameraRay, rayToward } from '../camera/cameraRay.ts';
+import { cameraRay } from '../camera/cameraRay.ts';
+import { rayToward } from '../camera/lensRay.ts';
 import { nearestHit, type TracedScene } from './tracedScene.ts';
 
 // c = 1 throughout; the observer is at the origin at t = 0.

@@ -10,7 +10,7 @@ import { grid } from '../../scene/mesh/primitives.ts';
 import { type CubicPointsMotion, parabolaVelocities } from '../../scene/motion/cubicPoints.ts';
 import { deformedPoints } from '../../scene/motion/deformedPoints.ts';
 import type { View } from '../../scene/views/views.ts';
-import { rayToward } from '../camera/cameraRay.ts';
+import { rayToward } from '../camera/lensRay.ts';
 import { CubicChords } from './cubicChords.ts';
 import { nearestHit } from './tracedScene.ts';
 

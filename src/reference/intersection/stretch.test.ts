@@ -12,7 +12,7 @@ import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import { bakedObject } from '../../scene/mesh/stretch.ts';
 import type { Motion } from '../../scene/types.ts';
 import type { View } from '../../scene/views/views.ts';
-import { rayToward } from '../camera/cameraRay.ts';
+import { rayToward } from '../camera/lensRay.ts';
 import { surfaceAt } from '../materials/surface.ts';
 import { reflectionOrigin } from '../transport/rayOrigin.ts';
 import { nearestHit } from './tracedScene.ts';

@@ -17,7 +17,8 @@ import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import type { Mesh, Motion, SceneObject } from '../../scene/types.ts';
 import type { View } from '../../scene/views/views.ts';
 import { dopplerOfHit } from '../aov.ts';
-import { cameraRay, rayToward } from '../camera/cameraRay.ts';
+import { cameraRay } from '../camera/cameraRay.ts';
+import { rayToward } from '../camera/lensRay.ts';
 import { fromPreparedScene, nearestHit, prepareScene } from './tracedScene.ts';
 
 const C = 10;

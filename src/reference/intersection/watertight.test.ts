@@ -7,7 +7,7 @@ import { makeObject } from '../../scene/defaults.ts';
 import { sphere } from '../../scene/mesh/primitives.ts';
 import type { Motion, SceneObject } from '../../scene/types.ts';
 import type { View } from '../../scene/views/views.ts';
-import { rayToward } from '../camera/cameraRay.ts';
+import { rayToward } from '../camera/lensRay.ts';
 import { nearestHit } from './tracedScene.ts';
 
 // From inside, a closed surface is seen in every direction, also exactly where triangles meet.

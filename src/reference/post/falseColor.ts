@@ -14,7 +14,7 @@ import {
   shadeFactor,
 } from '../../spectrum/falseColor/falseColor.ts';
 import { emittedWavelength } from '../../spectrum/falseColor/spectralBands.ts';
-import { cameraRay } from '../camera/cameraRay.ts';
+import { skyRay } from '../camera/lensRay.ts';
 import type { PixelCanvas } from '../figures/pixelCanvas.ts';
 
 /** The AOVs required by each false-colour quantity. */
@@ -77,7 +77,7 @@ export function skyDoppler(
   const found = viewPixelAt(views, size, x, y);
   if (!found) return Number.NaN;
   const { view, width, height } = found;
-  const ray = cameraRay(view, settings, found.x, found.y, width, height);
+  const ray = skyRay(view, settings, found.x, found.y, width, height);
   return ray ? dopplerFactor(ray.dx, view.u, ZERO) : Number.NaN;
 }
 

@@ -3,7 +3,7 @@ import { settingsFor, tracedScene, viewFrom } from '../../../../tests/support/ra
 import { fromParts, type Mat4 } from '../../../math/mat4.ts';
 import { fromAxisAngle, type Quat, toMatrix } from '../../../math/quat.ts';
 import { normalize, type Vec3 } from '../../../math/vec3.ts';
-import { rayToward } from '../../../reference/camera/cameraRay.ts';
+import { rayToward } from '../../../reference/camera/lensRay.ts';
 import { nearestHit } from '../../../reference/intersection/tracedScene.ts';
 import { surfaceAt } from '../../../reference/materials/surface.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../../scene/defaults.ts';

@@ -14,7 +14,7 @@ import { capsule, cone, cylinder, sphere } from '../../../scene/mesh/primitives.
 import { withoutQuadric } from '../../../scene/mesh/quadric.ts';
 import type { Mesh, Motion, QuadricShape, SceneObject } from '../../../scene/types.ts';
 import type { Hit } from '../../acceleration/ray.ts';
-import { rayToward } from '../../camera/cameraRay.ts';
+import { rayToward } from '../../camera/lensRay.ts';
 import { surfaceAt } from '../../materials/surface.ts';
 import { nearestHit, type TracedScene } from '../tracedScene.ts';
 

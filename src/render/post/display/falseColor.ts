@@ -1,8 +1,6 @@
 import { clamp, Fn, float, floor, int, log2, max, min, mix, select, uniform, vec3, vec4 } from 'three/tsl';
 import type { Texture } from 'three/webgpu';
 import { toneMaps } from '../../../shaders/color/toneMap.ts';
-import { observerDoppler } from '../../../shaders/kinematics/observerDoppler.ts';
-import { unaberrate } from '../../../shaders/kinematics/unaberrate.ts';
 import type { Float, Vec3, Vec4 } from '../../../shaders/types.ts';
 import {
   colorRamp,
@@ -23,6 +21,7 @@ import { pixelDirection, shownHere } from '../../lenses/pixelDirection.ts';
 import { depthHere } from '../../shading/passes.ts';
 import { type DisplaySettings, encodeSrgb } from './display.ts';
 import { gridOver } from './grid.ts';
+import { skyDoppler } from './skyDoppler.ts';
 
 const STEPS = 256;
 
@@ -102,11 +101,4 @@ const VALUES: Readonly<Record<FalseColorQuantity, (sources: FalseColorInputs) =>
 /** D of the surface; without one D of the sky, which is at rest in the world. */
 function dopplerHere({ buffer, uniforms, hasSurface }: FalseColorInputs): Float {
   return select(hasSurface, texelHere(buffer.texture('motion')).w, skyDoppler(uniforms));
-}
-
-export function skyDoppler(uniforms: FrameUniforms): Float {
-  const { u, gamma, boosted, boostLight } = uniforms;
-  const nPrime = pixelDirection(uniforms).toVar();
-  const n = mix(nPrime, unaberrate(nPrime, u, gamma), boosted).normalize();
-  return mix(float(1), observerDoppler(n, u, gamma), boostLight);
 }

@@ -8,7 +8,7 @@ import { readFloats } from '../../gbuffer/readback.ts';
 import type { Gpu } from '../../gpu/device.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { FullScreenPass } from '../../gpu/fullScreenPass.ts';
-import { skyDoppler } from './falseColor.ts';
+import { skyDoppler } from './skyDoppler.ts';
 
 /** Channels of the readings; the fourth is 1 where there is a surface. */
 const [LIGHT, DOPPLER, TIME] = [0, 1, 2];

@@ -1,6 +1,4 @@
-import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
-import { decodeFloatPicture } from '../../../image/radiance/floatPicture.ts';
-import { decodeRadiance } from '../../../image/radiance/radiance.ts';
+import { type DecodedImage, decodeImage, imageKind, looksLikeColor } from '../../../image/decodeImage.ts';
 import type { DecodedRadiance } from '../../../image/radiance/radianceLimits.ts';
 import type { AssetFiles } from '../../assets/assetFiles.ts';
 import { atlasOf, readTiles } from './udim.ts';
@@ -28,8 +26,10 @@ export async function readImage(files: AssetFiles, { asset, anchor }: TextureFil
   }
   const found = await files.findBytes(anchor, asset);
   if (!found) return undefined;
-  const light = decodeFloatPicture(found.bytes, found.id);
-  if (light) return { ...light, looksLikeColor: true };
+  if (hasRadiance(found.bytes)) {
+    const { decodeFloatPicture } = await import('../../../image/radiance/floatPicture.ts');
+    return { ...decodeFloatPicture(found.bytes, found.id)!, looksLikeColor: true };
+  }
   return { ...decodeImage(found.bytes, found.id), looksLikeColor: looksLikeColor(found.bytes) };
 }
 
@@ -39,5 +39,10 @@ export async function readRadiance(
   { asset, anchor }: TextureFile,
 ): Promise<DecodedRadiance | undefined> {
   const found = await files.findBytes(anchor, asset);
-  return found && decodeRadiance(found.bytes, found.id);
+  if (!found || !hasRadiance(found.bytes)) return undefined;
+  const { decodeRadiance } = await import('../../../image/radiance/radiance.ts');
+  return decodeRadiance(found.bytes, found.id);
 }
+
+/** Whether it is a picture of radiance, which few scenes have: code that reads them is loaded when one is met. */
+const hasRadiance = (bytes: Uint8Array): boolean => ['Radiance HDR', 'OpenEXR'].includes(imageKind(bytes));
