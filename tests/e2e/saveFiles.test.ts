@@ -101,6 +101,17 @@ it('a 360° picture and a 360° film say what they are, and the page shows the p
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
 });
 
+it('a stereo picture is shown, and saved with its mark', async () => {
+  const visit = await opened(
+    ...[set('camera', 'lens', 'stereo'), set('still', 'height', 64), set('film', 'height', 64)],
+  );
+  await visit.shot('stereo');
+  const still = await downloaded(visit, 'still');
+  const file = { size: still.content.length, read: async (at: number, end: number) => still.content.subarray(at, end) };
+  expect(await sphericalOf(file, still.name)).toMatchObject({ projection: 'equirectangular', stereo: 'top-bottom' });
+  expect(decode(still.content)).toMatchObject({ width: 64, height: 64 });
+});
+
 it('a film is VP9 where no other codec is available, and a GIF needs none', async () => {
   const visit = await opened(
     ...[add('gif', 'save-video'), set('gif', 'name', 'film.gif'), set('gif', 'width', 63), set('gif', 'height', 48)],

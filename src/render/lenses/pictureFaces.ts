@@ -22,8 +22,8 @@ export interface PictureFace {
   readonly rect?: PixelRect;
 }
 
-/** Columns of a stereo picture that are drawn from one place of the eye. That turns with the gaze, so a strip and its neighbour differ by a pixel at about 17 times the distance of an eye from the head's middle. */
-const STRIP_COLUMNS = 24;
+/** Columns of a stereo picture that are drawn from one place of the eye. That turns with the gaze, so at 45° up or down the edges of a strip are half a pixel off at 34 times the distance of an eye from the head’s middle. */
+const STRIP_COLUMNS = 48;
 
 /** The faces that a picture of this size needs, none for a perspective lens. */
 export function facesOf({ lens }: ViewPoint, size: PictureSize): readonly PictureFace[] {

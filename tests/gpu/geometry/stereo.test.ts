@@ -97,8 +97,8 @@ it('shows each eye what the reference finds along its curves, where the closed f
   }
   expect(seen.size).toBe(SCENE.objects.length);
   expect(same / all).toBeGreaterThan(0.99);
-  // Eyes stand still over a strip of 24 columns: half of one is 0.3 pixels in 3 m.
-  expect(farthest).toBeLessThan(1.2);
+  // Eyes stand still over a strip of 48 columns: the edges of one are 1.3 pixels off in 2 m, and eyes 6 pixels apart.
+  expect(farthest).toBeLessThan(2.5);
   expect(otherDepth / all).toBeLessThan(0.002);
 });
 
@@ -112,7 +112,7 @@ it('has no seams: between strips, light changes from pixel to pixel as it does i
   for (let y = 0; y < SIDE; y++)
     for (let x = 1; x < SIDE; x++) {
       const [a, b] = [luminance(x - 1, y), luminance(x, y)];
-      (x % 24 === 0 ? across : inside).push(Math.abs(a - b) / ((a + b) / 2 + 1e-6));
+      (x % 48 === 0 ? across : inside).push(Math.abs(a - b) / ((a + b) / 2 + 1e-6));
     }
   const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
   expect(mean(across)).toBeLessThan(1.1 * mean(inside));
