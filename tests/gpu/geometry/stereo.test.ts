@@ -87,7 +87,7 @@ it('shows each eye what the reference finds along its curves, where the closed f
     const eye: Vec3 = scale([Math.cos(longitude), 0, Math.sin(longitude)], aside);
     const event = Array.from(position.subarray(3 * i, 3 * i + 3)) as unknown as Vec3;
     const shown = sub(rotate(conjugate(VIEW.orientation), apparentPosition(sub(event, VIEW.position), VIEW.u)), eye);
-    if (Math.abs(depth[i]! / length(shown) - 1) > 0.02) otherDepth++;
+    if (Math.abs(depth[i]! / length(shown) - 1) > 0.05) otherDepth++;
     const [px, above] = lensPixel(VIEW.lens, normalize(shown), SIZE)!;
     const py = y < SIDE / 2 ? above : above + SIDE / 2;
     const across = Math.min(Math.abs(px - x), SIDE - Math.abs(px - x));
