@@ -1,6 +1,10 @@
 import { expect } from 'vitest';
 import { encodePng } from '../../src/formats/image/encodePng.ts';
 import { writeExr } from '../../src/formats/image/exr.ts';
+import { panoramaXmp } from '../../src/formats/spherical/panorama.ts';
+import type { SphericalPicture } from '../../src/formats/spherical/sphericalPicture.ts';
+import { withSphericalPng } from '../../src/formats/spherical/sphericalPictures.ts';
+import { withPngXmp } from '../../src/formats/spherical/xmpPackets.ts';
 import { isDomeLight } from '../../src/scene/lights/lightKinds.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { approximated, type ClaimGroup, type Files, read, refused } from './claim.ts';
@@ -27,6 +31,11 @@ const HDR = Uint8Array.from([
 ]);
 const faces = (names: readonly string[]): Files =>
   Object.fromEntries(names.map((name) => [`${name}.png`, picture(4, 4)]));
+
+const AROUND: SphericalPicture = { projection: 'equirectangular', stereo: 'none' };
+const marked = (width: number, height: number, coverage: SphericalPicture): Files => ({
+  'a.png': withSphericalPng(picture(width, height), coverage),
+});
 
 const size = (width: number, height: number) => (scene: Scene) =>
   expect(scene.lights.find(isDomeLight)?.texture).toMatchObject({ width, height });
@@ -66,6 +75,32 @@ const pictures: ClaimGroup = {
         faces(['a_back', 'a_front', 'a_left', 'a_right', 'a_top', 'a_bottom']),
       ],
       size(16, 8),
+    ),
+    approximated(
+      'a picture for each eye, above each other or beside, by its mark (`GSpherical:StereoMode`, as of `--lens stereo`)',
+      'the left eye’s',
+      'panorama.stereo',
+      [marked(8, 8, { ...AROUND, stereo: 'top-bottom' }), marked(16, 4, { ...AROUND, stereo: 'left-right' })],
+      size(8, 4),
+    ),
+    approximated(
+      'a part of the sphere, by its mark (GPano), as of telephones',
+      'the whole, black where nothing is known',
+      'panorama.part',
+      marked(8, 3, { ...AROUND, crop: { left: 0.25, right: 0.25, top: 0.125, bottom: 0.5 } }),
+      size(16, 8),
+    ),
+    approximated(
+      'a mark that is not read',
+      'the picture by its shape',
+      'panorama.mark',
+      {
+        'a.png': withPngXmp(
+          picture(8, 4),
+          panoramaXmp(AROUND, { width: 8, height: 4 }).replace('equirectangular', 'cylindrical'),
+        ),
+      },
+      size(8, 4),
     ),
     approximated(
       'a picture of 3:2 whose parts do not fit together at the edges of a cube',

@@ -31,6 +31,9 @@ export const DIAGNOSTIC_CODES = {
   'panorama.size': 'a picture that is no panorama by its size',
   'panorama.faces': 'faces of a cube of which one is missing or of another size',
   'panorama.edges': 'a picture of 3:2 whose parts do not fit together as faces of a cube',
+  'panorama.stereo': 'a panorama with a picture for each eye',
+  'panorama.part': 'a panorama that shows a part of all directions',
+  'panorama.mark': 'a picture that says of itself how it covers the sphere in a way that is not read',
 
   'zip.damaged': 'an archive that is damaged or truncated',
   'zip.zip64': 'an archive in the Zip64 format for more than 4 GiB',

@@ -7,9 +7,11 @@ import { sampleTexture } from '../../scene/materials/sampleTexture.ts';
 import type { Scene } from '../../scene/types.ts';
 import { entryOf } from '../entry.ts';
 import { memorySource } from '../files/fileSource.ts';
+import { decodeImage } from '../image/decodeImage.ts';
 import { encodePng } from '../image/encodePng.ts';
 import { writeExr } from '../image/exr.ts';
 import { openScene } from '../open.ts';
+import { withSphericalPng } from '../spherical/sphericalPictures.ts';
 import { faceFiles } from './faceFiles.ts';
 
 /** Linear light 0 … 1 that is different in every direction of the world: a camera looks at it towards −Z at first. */
@@ -146,6 +148,57 @@ it('its camera looks at the middle of the picture', async () => {
   const { cameras, lights, objects } = await open({ 'sky.png': equirect });
   expect([objects.length, lights.length, cameras.length]).toEqual([0, 1, 1]);
   expect(seen({ lights } as Scene)([0, 0, -1])).toEqual(light([0, 0, -1]).map((v) => expect.closeTo(v, 1)));
+});
+
+describe('what a file says of itself', () => {
+  /** An equirectangular picture; of `n` it has only what is above the horizon. */
+  const around = (width: number, height: number, whole = height) =>
+    png(width, height, (x, y) => {
+      const [longitude, latitude] = [2 * Math.PI * (x / width - 0.5), Math.PI * (0.5 - y / whole)];
+      const level = Math.cos(latitude);
+      return [level * Math.sin(longitude), Math.sin(latitude), -level * Math.cos(longitude)];
+    });
+  const domeOf = async (bytes: Uint8Array) => {
+    const scene = await openScene(memorySource({ 'a.png': bytes }), 'a.png');
+    return { dome: scene.lights.find(isDomeLight)!.texture!, scene };
+  };
+
+  it('of pictures of two eyes the left one is shown: the upper, or the left one', async () => {
+    const left = (await domeOf(around(32, 16))).dome;
+    for (const [stereo, width, height] of [
+      ['top-bottom', 32, 32],
+      ['left-right', 64, 16],
+    ] as const) {
+      const other = png(width, height, () => undefined);
+      const both = decodeImage(other, 'both.png');
+      const eye = left.data as Uint8Array;
+      for (let row = 0; row < 16; row++) both.data.set(eye.subarray(4 * 32 * row, 4 * 32 * (row + 1)), 4 * width * row);
+      const bytes = withSphericalPng(encodePng(width, height, both.data), { projection: 'equirectangular', stereo });
+      const { dome, scene } = await domeOf(bytes);
+      expect(dome.data).toEqual(left.data);
+      expect(scene.diagnostics).toMatchObject([{ code: 'panorama.stereo' }]);
+    }
+  });
+
+  it('a part of the sphere is where it belongs', async () => {
+    const whole = (await domeOf(around(32, 16))).dome;
+    const crop = { left: 0, right: 0, top: 0, bottom: 0.5 };
+    const upper = withSphericalPng(around(32, 8, 16), { projection: 'equirectangular', stereo: 'none', crop });
+    const { dome, scene } = await domeOf(upper);
+    expect([dome.width, dome.height]).toEqual([32, 16]);
+    expect(dome.data.subarray(0, 4 * 32 * 8)).toEqual(whole.data.subarray(0, 4 * 32 * 8));
+    expect(Math.max(...dome.data.subarray(4 * 32 * 8).filter((_, i) => i % 4 < 3))).toBe(0);
+    expect(scene.diagnostics).toMatchObject([{ code: 'panorama.part' }]);
+  });
+
+  it('a part of a sphere that is too large is refused with its size', async () => {
+    const crop = { left: 0, right: 0.9999, top: 0, bottom: 0.9995 };
+    const tiny = withSphericalPng(
+      png(4, 4, () => [0, 0, 1]),
+      { projection: 'equirectangular', stereo: 'none', crop },
+    );
+    await expect(domeOf(tiny)).rejects.toThrow(/a\.png: it is a part of .* of 40000 × 8000 pixels/);
+  });
 });
 
 describe('no panorama', () => {

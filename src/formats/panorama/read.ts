@@ -13,6 +13,7 @@ import type { ReadOptions } from '../readOptions.ts';
 import { faceFiles } from './faceFiles.ts';
 import { type CubeFaces, facesIn, type PanoramaPicture } from './faces.ts';
 import { edgesMeet, unfoldedCube } from './unfold.ts';
+import { coverageOf, wholeSphere } from './wholeSphere.ts';
 
 /** The middle of the picture, which is towards +Z of a dome, is where a camera looks at first: towards −Z. */
 const AHEAD = fromAxisAngle([0, 1, 0], Math.PI);
@@ -45,8 +46,11 @@ async function panoramaOf(
   options: ReadOptions,
   notes: DiagnosticLog,
 ): Promise<PanoramaPicture> {
-  const picture = await readPicture(source, entry, options);
-  if (!picture) throw inputError('file.missing', entry, msg`no such file`);
+  const bytes = await source.read(entry);
+  if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
+  const decoded = await decodePicture(bytes, entry, options);
+  const coverage = await coverageOf(bytes, entry, notes);
+  const picture = coverage ? wholeSphere(decoded, coverage, entry, notes) : decoded;
   const { width, height } = picture;
   if (Math.abs(width - 2 * height) <= ASPECT_TOLERANCE * width) return picture;
   const faces = facesIn(picture);
@@ -68,15 +72,21 @@ async function panoramaOf(
 async function readPicture(
   source: FileSource,
   path: string,
-  { decodePicture }: ReadOptions,
+  options: ReadOptions,
 ): Promise<PanoramaPicture | undefined> {
   const bytes = await source.read(path);
-  if (!bytes) return undefined;
+  return bytes && decodePicture(bytes, path, options);
+}
+
+async function decodePicture(
+  bytes: Uint8Array,
+  path: string,
+  { decodePicture: decodeOther }: ReadOptions,
+): Promise<PanoramaPicture> {
   const radiance = decodeRadiance(bytes, path);
   if (radiance) return { ...radiance, colorSpace: 'linear' };
   const kind = foreignKind(bytes);
-  const image =
-    kind && decodePicture ? await decodeForeign(bytes, kind, path, decodePicture) : decodeImage(bytes, path);
+  const image = kind && decodeOther ? await decodeForeign(bytes, kind, path, decodeOther) : decodeImage(bytes, path);
   const { width, height, data } = image;
   return { width, height, data, colorSpace: 'srgb' };
 }

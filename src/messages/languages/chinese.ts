@@ -1009,6 +1009,10 @@ const messages: Translation['messages'] = {
   'the picture is {}; convert it to PNG or JPEG': '图片{1}；请转换为 PNG 或 JPEG',
   'neither PNG nor JPEG': '既不是 PNG，也不是 JPEG',
   '{}, which is not read': '是 {1}，无法读取',
+  'it has a picture for each eye: the left one is shown': '它含有两眼各一幅画面：显示左眼的',
+  'it is a part of a picture of all directions of {} × {} pixels, of which at most {} Mi are read; make it smaller':
+    '它是一幅 {1} × {2} 像素全景的一部分，最多读取 {3} Mi 像素；请缩小它',
+  'it does not show all directions: the others are black': '它没有显示所有方向：其余方向为黑色',
   'it is taken for a grid of 3 × 2 faces of a cube, by its aspect ratio, but their edges do not meet: if it is a photograph, it is no panorama':
     '按宽高比它被当作 3 × 2 排列的立方体六个面，但各面的边缘不衔接：如果它是照片，就不是全景图',
   'the picture is {} × {} pixels, and no panorama': '图片为 {1} × {2} 像素，不是全景图',
