@@ -4,6 +4,7 @@ import { zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { encodePng } from '../../src/formats/image/encodePng.ts';
+import { withSphericalPng } from '../../src/formats/spherical/sphericalPictures.ts';
 import { PINK_WEBP } from '../formats/pictures.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { solidKtx2 } from '../support/ktx2Kit.ts';
@@ -182,6 +183,36 @@ describe('opening files', () => {
     await visit.refusals.waitFor();
     expect(await visit.refusals.textContent()).toMatch(/photo\.png.*no panorama; one is twice as wide as high/);
     await visit.refusals.getByRole('button', { name: 'Close' }).click();
+  });
+
+  it('six faces are one panorama, as files or in a zip; of two eyes’ pictures the left one is seen', async () => {
+    const face = (r: number, g: number, b: number, width = 16, height = 16): Uint8Array =>
+      encodePng(
+        width,
+        height,
+        Uint8Array.from({ length: 4 * width * height }, (_, i) => [r, g, b, 255][i % 4]!),
+      );
+    const facesWith = (front: Uint8Array) =>
+      ['right', 'left', 'top', 'bottom', 'front', 'back'].map((name) => ({
+        name: `room_${name}.png`,
+        content: Buffer.from(name === 'front' ? front : face(90, 90, 90)),
+      }));
+    const visit = await opened();
+    const middle = async () => (await visit.middle()).slice(0, 3);
+    await visit.opens(() => drop(visit, facesWith(face(255, 0, 0))));
+    await expect.poll(middle).toSatisfy(([r, g]) => r > 200 && g < 100);
+    const packed = zipSync(
+      Object.fromEntries(facesWith(face(0, 0, 255)).map(({ name, content }) => [`a/${name}`, new Uint8Array(content)])),
+    );
+    await visit.opens(() => drop(visit, [{ name: 'room.zip', content: Buffer.from(packed) }]));
+    await expect.poll(middle).toSatisfy(([r, , b]) => b > 200 && r < 100);
+    // The upper half is the left eye's.
+    const eyes = Uint8Array.from({ length: 4 * 32 * 32 }, (_, i) =>
+      i % 4 === 3 || (i < 2048 ? i % 4 === 1 : i % 4 === 0) ? 255 : 0,
+    );
+    const both = withSphericalPng(encodePng(32, 32, eyes), { projection: 'equirectangular', stereo: 'top-bottom' });
+    await visit.opens(() => drop(visit, [{ name: 'eyes.png', content: Buffer.from(both) }]));
+    await expect.poll(middle).toSatisfy(([r, g]) => g > 200 && r < 100);
   });
 
   it('missing files of a scene on the server can be supplied too', async () => {
