@@ -1,6 +1,7 @@
 import { expect } from 'vitest';
 import { encodePng } from '../../src/formats/image/encodePng.ts';
 import { writeExr } from '../../src/formats/image/exr.ts';
+import { withPngText } from '../../src/formats/image/pngText.ts';
 import { panoramaXmp } from '../../src/formats/spherical/panorama.ts';
 import type { SphericalPicture } from '../../src/formats/spherical/sphericalPicture.ts';
 import { withSphericalPng } from '../../src/formats/spherical/sphericalPictures.ts';
@@ -82,6 +83,12 @@ const pictures: ClaimGroup = {
       'panorama.stereo',
       [marked(8, 8, { ...AROUND, stereo: 'top-bottom' }), marked(16, 4, { ...AROUND, stereo: 'left-right' })],
       size(8, 4),
+    ),
+    read(
+      'a dome master or fisheye of this program, PNG or EXR, by its header',
+      'the directions around its axis, black beyond its circle; 8192 wide at most',
+      { 'a.png': withPngText(picture(8, 8), { lens: 'fisheye of 180 degrees, its axis 90 degrees up' }) },
+      size(16, 8),
     ),
     approximated(
       'a part of the sphere, by its mark (GPano), as of telephones',

@@ -1,15 +1,19 @@
 import { describe, expect, it } from 'vitest';
+import { degrees } from '../../math/angle.ts';
 import { fromHalf } from '../../math/half.ts';
 import { dot, normalize, type Vec3 } from '../../math/vec3.ts';
 import { domeAxes, latLongFromDirection } from '../../scene/lights/latLong.ts';
 import { isDomeLight } from '../../scene/lights/lightKinds.ts';
 import { sampleTexture } from '../../scene/materials/sampleTexture.ts';
 import type { Scene } from '../../scene/types.ts';
+import { domeLens } from '../../scene/view/lenses/fisheyeLens.ts';
+import { lensDirection } from '../../scene/view/lenses/lenses.ts';
 import { entryOf } from '../entry.ts';
 import { memorySource } from '../files/fileSource.ts';
 import { decodeImage } from '../image/decodeImage.ts';
 import { encodePng } from '../image/encodePng.ts';
 import { writeExr } from '../image/exr.ts';
+import { withPngText } from '../image/pngText.ts';
 import { openScene } from '../open.ts';
 import { withSphericalPng } from '../spherical/sphericalPictures.ts';
 import { faceFiles } from './faceFiles.ts';
@@ -189,6 +193,41 @@ describe('what a file says of itself', () => {
     expect(dome.data.subarray(0, 4 * 32 * 8)).toEqual(whole.data.subarray(0, 4 * 32 * 8));
     expect(Math.max(...dome.data.subarray(4 * 32 * 8).filter((_, i) => i % 4 < 3))).toBe(0);
     expect(scene.diagnostics).toMatchObject([{ code: 'panorama.part' }]);
+  });
+
+  it('a dome master of this program is unfolded, as PNG and as EXR', async () => {
+    const lens = domeLens(1.5 * Math.PI, 0.4);
+    const size = { width: 80, height: 64 };
+    const text = { lens: `fisheye of 270 degrees, its axis ${degrees(lens.elevation)} degrees up` };
+    const directionAt = (x: number, y: number) => lensDirection(lens, x, y, size);
+    const channels = ['R', 'G', 'B'].map((name, k) => ({
+      name,
+      type: 'float' as const,
+      data: Float32Array.from({ length: 80 * 64 }, (_, i) => {
+        const n = directionAt((i % 80) + 0.5, Math.floor(i / 80) + 0.5);
+        return n ? light(n)[k]! : 0;
+      }),
+    }));
+    const written: readonly Readonly<Record<string, Uint8Array>>[] = [
+      { 'a.png': withPngText(png(80, 64, directionAt), text) },
+      { 'a.exr': writeExr({ ...size, channels, attributes: text }) },
+    ];
+    for (const files of written) {
+      const scene = await open(files);
+      const axis: Vec3 = [0, Math.sin(lens.elevation), -Math.cos(lens.elevation)];
+      let shown = 0;
+      for (const n of DIRECTIONS) {
+        const beyond = Math.acos(dot(n, axis)) - lens.aperture / 2;
+        const rgb = seen(scene)(n);
+        if (beyond > 0.15) expect(Math.max(...rgb)).toBe(0);
+        if (beyond > -0.15) continue;
+        shown++;
+        rgb.forEach((value, k) => {
+          expect(Math.abs(value - light(n)[k]!)).toBeLessThan(0.02);
+        });
+      }
+      expect(shown).toBeGreaterThan(100);
+    }
   });
 
   it('a part of a sphere that is too large is refused with its size', async () => {

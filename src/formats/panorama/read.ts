@@ -12,8 +12,8 @@ import { UniquePrimPaths } from '../read/primPaths.ts';
 import type { ReadOptions } from '../readOptions.ts';
 import { faceFiles } from './faceFiles.ts';
 import { type CubeFaces, facesIn, type PanoramaPicture } from './faces.ts';
-import { edgesMeet, unfoldedCube } from './unfold.ts';
-import { coverageOf, wholeSphere } from './wholeSphere.ts';
+import { edgesMeet, unfoldedCube, unfoldedFisheye } from './unfold.ts';
+import { coverageOf, fisheyeOf, wholeSphere } from './wholeSphere.ts';
 
 /** The middle of the picture, which is towards +Z of a dome, is where a camera looks at first: towards −Z. */
 const AHEAD = fromAxisAngle([0, 1, 0], Math.PI);
@@ -50,6 +50,8 @@ async function panoramaOf(
   if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   const decoded = await decodePicture(bytes, entry, options);
   const coverage = await coverageOf(bytes, entry, notes);
+  const lens = fisheyeOf(bytes, entry);
+  if (lens) return unfoldedFisheye(decoded, lens);
   const picture = coverage ? wholeSphere(decoded, coverage, entry, notes) : decoded;
   const { width, height } = picture;
   if (Math.abs(width - 2 * height) <= ASPECT_TOLERANCE * width) return picture;

@@ -3,11 +3,18 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { linearizationTable } from '../../scene/materials/sampleTexture.ts';
 import type { Texture } from '../../scene/types.ts';
 import { cubeFaceOf } from '../../scene/view/lenses/cubeFaces.ts';
+import { type FisheyeLens, fisheyeModel } from '../../scene/view/lenses/fisheyeLens.ts';
+import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { srgbByte } from '../../spectrum/display/srgbBytes.ts';
 import type { CubeFaces, PanoramaPicture } from './faces.ts';
 
 /** Widest picture that is made: 32 Mi pixels. */
 const MAX_WIDTH = 8192;
+
+/** Adds the colours in directions (x to the right, y up, z ahead) of a picture, times `weight`, in linear light. */
+interface DirectionSampler {
+  add(direction: Vec3, weight: number, sums: Float64Array, to: number): void;
+}
 
 /**
  * The picture by latitude and longitude of a cube: its middle is ahead, to the right of that is the right face. As fine at its equator as the faces are on average; each texel is the
@@ -15,16 +22,31 @@ const MAX_WIDTH = 8192;
  */
 export function unfoldedCube(faces: CubeFaces): PanoramaPicture {
   const { size, picture } = faces[0];
-  const width = Math.min(4 * size, MAX_WIDTH);
+  // The finest texels of faces, at their edges, are 1/size of a radian.
+  return unfolded(4 * size, size, new FaceSampler(faces), picture);
+}
+
+/** The same of a fisheye or a dome master, a circle in the middle of its picture; black where that shows nothing. */
+export function unfoldedFisheye(picture: PanoramaPicture, lens: FisheyeLens): PanoramaPicture {
+  const perRadian = Math.min(picture.width, picture.height) / lens.aperture;
+  return unfolded(2 * Math.round(Math.PI * perRadian), perRadian, new FisheyeSampler(picture, lens), picture);
+}
+
+/** `perRadian`: texels of what is sampled, where it is finest; `like`: a picture with its kind of numbers. */
+function unfolded(
+  wanted: number,
+  perRadian: number,
+  sampler: DirectionSampler,
+  like: PanoramaPicture,
+): PanoramaPicture {
+  const width = Math.min(Math.max(2, wanted), MAX_WIDTH);
   const height = width / 2;
-  const isRadiance = picture.data instanceof Uint16Array;
+  const isRadiance = like.data instanceof Uint16Array;
   const data = new (isRadiance ? Uint16Array : Uint8Array)(4 * width * height).fill(isRadiance ? toHalf(1) : 255);
   const encode = isRadiance ? toHalf : srgbByte;
-  // The finest texels of faces, at their edges, are 1/size of a radian.
-  const steps = Math.ceil((2 * Math.PI * size) / width);
+  const steps = Math.ceil((2 * Math.PI * perRadian) / width);
   const turns = Array.from({ length: steps * width }, (_, i) => 2 * Math.PI * ((i + 0.5) / (steps * width) - 0.5));
   const [sines, cosines] = [turns.map(Math.sin), turns.map(Math.cos)];
-  const sampler = new FaceSampler(faces);
   const sums = new Float64Array(3 * width);
   for (let row = 0; row < height; row++) {
     sums.fill(0);
@@ -92,7 +114,7 @@ export function edgesMeet(faces: CubeFaces): boolean {
 }
 
 /** Bilinear samples of the faces, in linear light. */
-class FaceSampler {
+class FaceSampler implements DirectionSampler {
   private readonly faces: CubeFaces;
   private readonly linear: readonly ArrayLike<number>[];
 
@@ -106,27 +128,72 @@ class FaceSampler {
     });
   }
 
-  /** Adds the colour in a direction of the cube (x to the right, y up, z ahead), times `weight`. */
   add([right, up, ahead]: Vec3, weight: number, sums: Float64Array, to: number): void {
     const { face, ...place } = cubeFaceOf([right, up, -ahead]);
     const [u, v] = [(1 + place.x) / 2, (1 - place.y) / 2];
     const { picture, left, top, size, turned } = this.faces[face];
     const x = (turned ? 1 - u : u) * size - 0.5;
     const y = (turned ? 1 - v : v) * size - 0.5;
-    const [x0, y0] = [Math.floor(x), Math.floor(y)];
-    const [s, t] = [x - x0, y - y0];
-    const inside = (i: number): number => Math.min(Math.max(i, 0), size - 1);
-    const [columns, rows] = [
-      [left + inside(x0), left + inside(x0 + 1)],
-      [top + inside(y0), top + inside(y0 + 1)],
-    ];
-    const { data, width } = picture;
-    const linear = this.linear[face];
-    for (let corner = 0; corner < 4; corner++) {
-      const [i, j] = [corner & 1, corner >> 1];
-      const share = weight * (i ? s : 1 - s) * (j ? t : 1 - t);
-      const from = 4 * (rows[j] * width + columns[i]);
-      for (let k = 0; k < 3; k++) sums[to + k] += share * linear[data[from + k]];
-    }
+    addBilinear({ picture, linear: this.linear[face], left, top, width: size, height: size }, x, y, weight, sums, to);
+  }
+}
+
+class FisheyeSampler implements DirectionSampler {
+  private readonly area: PictureArea;
+  private readonly lens: FisheyeLens;
+
+  constructor(picture: PanoramaPicture, lens: FisheyeLens) {
+    const { width, height } = picture;
+    this.area = {
+      picture,
+      linear: Float64Array.from(linearizationTable(picture as Texture)),
+      left: 0,
+      top: 0,
+      width,
+      height,
+    };
+    this.lens = lens;
+  }
+
+  add([right, up, ahead]: Vec3, weight: number, sums: Float64Array, to: number): void {
+    const place = fisheyeModel.placeOf(this.lens, [right, up, -ahead], this.area);
+    if (!place || Math.hypot(...place) > 1) return;
+    const { width, height } = this.area;
+    const side = Math.min(width, height);
+    const [x, y] = [(width + place[0] * side) / 2 - 0.5, (height - place[1] * side) / 2 - 0.5];
+    addBilinear(this.area, x, y, weight, sums, to);
+  }
+}
+
+/** A rectangle of a picture [px], and the linear light of its numbers. */
+interface PictureArea extends PictureSize {
+  readonly picture: PanoramaPicture;
+  readonly linear: ArrayLike<number>;
+  readonly left: number;
+  readonly top: number;
+}
+
+/** `x`, `y` from the middle of the rectangle's first pixel. */
+function addBilinear(
+  { picture, linear, left, top, width: across, height: down }: PictureArea,
+  x: number,
+  y: number,
+  weight: number,
+  sums: Float64Array,
+  to: number,
+): void {
+  const [x0, y0] = [Math.floor(x), Math.floor(y)];
+  const [s, t] = [x - x0, y - y0];
+  const inside = (i: number, count: number): number => Math.min(Math.max(i, 0), count - 1);
+  const [columns, rows] = [
+    [left + inside(x0, across), left + inside(x0 + 1, across)],
+    [top + inside(y0, down), top + inside(y0 + 1, down)],
+  ];
+  const { data, width } = picture;
+  for (let corner = 0; corner < 4; corner++) {
+    const [i, j] = [corner & 1, corner >> 1];
+    const share = weight * (i ? s : 1 - s) * (j ? t : 1 - t);
+    const from = 4 * (rows[j] * width + columns[i]);
+    for (let k = 0; k < 3; k++) sums[to + k] += share * linear[data[from + k]];
   }
 }

@@ -1,9 +1,13 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
+import type { FisheyeLens } from '../../scene/view/lenses/fisheyeLens.ts';
+import { fisheyeOfMetadata } from '../../scene/view/pictureMetadata.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
-import { MAX_PIXELS } from '../image/decodeImage.ts';
+import { imageKind, MAX_PIXELS } from '../image/decodeImage.ts';
+import { pngTexts } from '../image/pngText.ts';
+import { readExrHeader } from '../image/readExr.ts';
 import { sphericalOf } from '../spherical/sphericalOf.ts';
 import { croppedArea, eyeSize, type SphericalPicture } from '../spherical/sphericalPicture.ts';
 import { memoryFile } from '../zip/zipSource.ts';
@@ -22,6 +26,18 @@ export async function coverageOf(
     notes.add('warning', 'panorama.mark', '', messageOf(error));
     return undefined;
   }
+}
+
+/** The lens that the header of a dome master or a fisheye of this program names; undefined for all others. */
+export function fisheyeOf(bytes: Uint8Array, name: string): FisheyeLens | undefined {
+  const kind = imageKind(bytes);
+  const text =
+    kind === 'PNG'
+      ? pngTexts(bytes).get('lens')
+      : kind === 'OpenEXR'
+        ? readExrHeader(bytes, name).attributes?.lens
+        : undefined;
+  return text === undefined ? undefined : fisheyeOfMetadata(text);
 }
 
 /** The left eye's picture of the whole sphere, black where the file has none. Throws an InputError where that would be too large. */

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { domeLens } from './lenses/fisheyeLens.ts';
 import { perspective } from './lenses/perspectiveLens.ts';
-import { pictureMetadata } from './pictureMetadata.ts';
+import { fisheyeOfMetadata, pictureMetadata } from './pictureMetadata.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from './view.ts';
 
 const view: ViewPoint = {
@@ -29,6 +30,26 @@ describe('metadata of a picture', () => {
       exposure: '-1.25 EV',
       tone: 'neutral',
     });
+  });
+
+  it('have the lens, of which that of a fisheye is found again', () => {
+    for (const lens of [
+      domeLens(Math.PI, 0.3),
+      domeLens(4, -0.2),
+      { kind: 'fisheye', aperture: 1, elevation: 0 },
+    ] as const) {
+      const found = fisheyeOfMetadata(pictureMetadata({ ...view, lens }, settings).lens!)!;
+      expect(found.aperture).toBeCloseTo(lens.aperture, 12);
+      expect(found.elevation).toBeCloseTo(lens.elevation, 12);
+    }
+    const others = [
+      { kind: 'equirectangular' },
+      { kind: 'cube', layout: '3x2' },
+      { kind: 'stereo', separation: 1 },
+    ] as const;
+    for (const lens of others)
+      expect(fisheyeOfMetadata(pictureMetadata({ ...view, lens }, settings).lens!)).toBeUndefined();
+    expect(fisheyeOfMetadata('fisheye of 1e9 degrees, its axis 0 degrees up')).toBeUndefined();
   });
 
   it('list unphysical settings', () => {

@@ -1,15 +1,19 @@
-import { degrees } from '../../math/angle.ts';
+import { degrees, radians } from '../../math/angle.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
 import { velocity } from '../../physics/lorentz/boost.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import { RENDERER_SETTINGS, settingNamed } from '../settings/settings.ts';
+import type { FisheyeLens } from './lenses/fisheyeLens.ts';
 import type { Lens } from './lenses/lenses.ts';
 import type { RenderSettings, ViewPoint } from './view.ts';
 
 // Header metadata of picture files, named as in docs/conventions.md. It describes the picture only, not the machine or the files that it comes from.
 
-/** The observer's event, so that the picture can be reproduced. */
-export function observerMetadata({ t, position, u, vantage }: ViewPoint, speedOfLight: number): Record<string, string> {
+/** The observer's event and lens, so that the picture can be reproduced. */
+export function observerMetadata(
+  { t, position, u, vantage, lens }: ViewPoint,
+  speedOfLight: number,
+): Record<string, string> {
   const beta = velocity(u);
   return {
     worldTime: `${t} s`,
@@ -18,6 +22,7 @@ export function observerMetadata({ t, position, u, vantage }: ViewPoint, speedOf
     observerBeta: vector(beta),
     observerSpeed: `${length(beta)} c`,
     ...(vantage && { vantage: `${vector(vantage)} m` }),
+    ...lensMetadata(lens),
   };
 }
 
@@ -28,7 +33,6 @@ export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Reco
   return {
     Software: 'Slowlight',
     ...observerMetadata(view, settings.speedOfLight),
-    ...lensMetadata(view.lens),
     ...settingsMetadata(settings, showsLight),
     ...(outside && { outsideCamera: `${vector(outside.place)} m from the ${outside.follows ? 'observer' : 'origin'}` }),
     ...(capture && { capture: `moved by ${capture.maxError} px at most` }),
@@ -52,6 +56,14 @@ function lensMetadata(lens: Lens): Record<string, string> {
     case 'stereo':
       return { lens: `${lens.kind}, left eye above right eye, ${lens.separation} m apart` };
   }
+}
+
+/** The lens of a fisheye or dome whose header has this `lens`; undefined for all others. */
+export function fisheyeOfMetadata(text: string): FisheyeLens | undefined {
+  const found = /^fisheye of ([\d.]+) degrees, its axis (-?[\d.]+) degrees up$/.exec(text);
+  const [aperture, elevation] = [Number(found?.[1]), Number(found?.[2])];
+  if (!(aperture > 0 && aperture <= 360 && Math.abs(elevation) <= 180)) return undefined;
+  return { kind: 'fisheye', aperture: radians(aperture), elevation: radians(elevation) };
 }
 
 /** The settings with a `header` entry, as far as its `when` applies. */
