@@ -139,7 +139,7 @@ function surfaceLight(
 /** Light of a transmissive surface that no camera sees: of what lies straight behind it, and its own. */
 function veilLight(lighting: LightingContext, beam: ScatteredRay, hit: Hit, path: PathState): SampledRadiance {
   const { scene } = lighting;
-  const n = normalize(beam.ray.dx);
+  const n = normalize(lightOf(beam.ray, hit).dx);
   const frame = restFrameOf(lighting, hit.velocity);
   const point = surfaceAt(scene, hit);
   return receivedLight(path, n, frame, RADIANCE_POWER, (there) => {

@@ -2,7 +2,7 @@ import { dot, length, normalize } from '../../math/vec3.ts';
 import type { Volume } from '../../scene/types.ts';
 import { neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
 import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
-import type { Hit } from '../acceleration/ray.ts';
+import { type Hit, lightOf } from '../acceleration/ray.ts';
 import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
 import { materialOf } from '../materials/material.ts';
 import { facingNormal, type SurfacePoint, surfaceAt } from '../materials/surface.ts';
@@ -50,7 +50,8 @@ export interface StraightPass {
  */
 export function straightPass(scene: TracedScene, beam: RaySegment, hit: Hit, frame: RestFrame): StraightPass {
   const point = surfaceAt(scene, hit);
-  const n = normalize(beam.ray.dx);
+  const { dx } = lightOf(beam.ray, hit);
+  const n = normalize(dx);
   const passed = 1 - dielectricFresnel(Math.abs(dot(frame.fromWorld(n), facingNormal(hit))), point.ior);
   const enters = hit.front || !isBody(scene, hit);
   const filter = scaleFilter(enters ? point.filter : neutralFilter(1), clearShare(point) * passed);
@@ -61,6 +62,6 @@ export function straightPass(scene: TracedScene, beam: RaySegment, hit: Hit, fra
     accepts: (other) =>
       other.object === hit.object && isElsewhere(scene, { ray: beam.ray, begin: hit.s, from: hit }, other),
   });
-  const way = exit ? (exit.s - hit.s) * length(beam.ray.dx) * frame.doppler(n) : 0;
+  const way = exit ? (exit.s - hit.s) * length(dx) * frame.doppler(n) : 0;
   return { filter, volume, way };
 }
