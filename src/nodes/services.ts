@@ -23,7 +23,7 @@ export interface LoadedScene {
 export type FastestScenePoint = FastestInScene;
 
 /** Options for reading a scene. */
-export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolation' | 'prim'> {
+export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolation' | 'prim' | 'fisheye'> {
   /** Cancels the reading. */
   readonly signal?: AbortSignalLike;
   /** Told how far the reading is. */

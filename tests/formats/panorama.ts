@@ -90,6 +90,13 @@ const pictures: ClaimGroup = {
       { 'a.png': withPngText(picture(8, 8), { lens: 'fisheye of 180 degrees, its axis 90 degrees up' }) },
       size(16, 8),
     ),
+    read(
+      'a circle in the middle of a picture of any shape, where the node *Panorama* says that it is a fisheye or a dome master',
+      'the same',
+      { 'a.png': picture(12, 8) },
+      size(16, 8),
+      { options: { fisheye: { kind: 'fisheye', aperture: Math.PI, elevation: 0 } } },
+    ),
     approximated(
       'a part of the sphere, by its mark (GPano), as of telephones',
       'the whole, black where nothing is known',

@@ -169,11 +169,12 @@ function servicesAt(project: string): Services {
     readFont,
     renderStill,
     openGpu: openDevice,
-    async readScene(source, { variants, interpolation, prim }) {
+    async readScene(source, { variants, interpolation, prim, fisheye }) {
       const read = await openSceneFile(at(source), {
         ...(variants && { variants }),
         ...(interpolation && { interpolation }),
         ...(prim && { prim }),
+        ...(fisheye && { fisheye }),
       });
       return toLoadedScene(renderableScene(read).scene);
     },

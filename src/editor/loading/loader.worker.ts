@@ -45,6 +45,7 @@ async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Prom
       decodePicture,
       ...(request.interpolation && { interpolation: request.interpolation }),
       ...(request.prim && { prim: request.prim }),
+      ...(request.fisheye && { fisheye: request.fisheye }),
     }),
   );
 }

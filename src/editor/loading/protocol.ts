@@ -2,6 +2,7 @@ import type { Interpolation } from '../../formats/readOptions.ts';
 import type { Message } from '../../messages/message.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import type { Diagnostic } from '../../scene/types.ts';
+import type { FisheyeLens } from '../../scene/view/lenses/fisheyeLens.ts';
 import type { UserFile } from './userFiles.ts';
 
 /** Where the worker finds a scene's files. */
@@ -19,6 +20,8 @@ export interface LoadRequest extends SceneFiles {
   readonly interpolation?: Interpolation;
   /** Path of the prim to read. */
   readonly prim?: string;
+  /** Of a picture of all directions. */
+  readonly fisheye?: FisheyeLens;
   /** Return the files that reading requests from the server, instead of the scene. */
   readonly collect?: true;
 }

@@ -17,13 +17,19 @@ export function sceneReader(local: LocalFiles): Services['readScene'] {
 function requestFor(
   local: LocalFiles,
   source: string,
-  { variants = new Map(), interpolation, prim }: SceneReadOptions,
+  { variants = new Map(), interpolation, prim, fisheye }: SceneReadOptions,
 ): LoadRequest {
   const files = local.get(source) ?? filesAtAddress(source);
-  return { ...files, variants: [...variants], ...(interpolation && { interpolation }), ...(prim && { prim }) };
+  return {
+    ...files,
+    variants: [...variants],
+    ...(interpolation && { interpolation }),
+    ...(prim && { prim }),
+    ...(fisheye && { fisheye }),
+  };
 }
 
-type SceneReadOptions = Pick<ReadRequest, 'variants' | 'interpolation' | 'prim'>;
+type SceneReadOptions = Pick<ReadRequest, 'variants' | 'interpolation' | 'prim' | 'fisheye'>;
 
 /** Reads a small file of a document: a user file of this session, or an address relative to the page. */
 export function fileReader(local: LocalFiles): Services['readFile'] {

@@ -50,7 +50,7 @@ async function panoramaOf(
   if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   const decoded = await decodePicture(bytes, entry, options);
   const coverage = await coverageOf(bytes, entry, notes);
-  const lens = fisheyeOf(bytes, entry);
+  const lens = options.fisheye ?? fisheyeOf(bytes, entry);
   if (lens) return unfoldedFisheye(decoded, lens);
   const picture = coverage ? wholeSphere(decoded, coverage, entry, notes) : decoded;
   const { width, height } = picture;

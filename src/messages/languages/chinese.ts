@@ -2035,6 +2035,9 @@ const messages: Translation['messages'] = {
   'Dome tilt': '球幕倾角',
   'By how much the dome is tilted towards the front.': '球幕向前倾斜的角度。',
   'Stereo, 360°': '立体 360°',
+  'As the file says': '按文件说明',
+  'Of the picture. As the file says, or by its shape: latitude and longitude, or faces of a cube. A fisheye and a dome master are circles in the middle of a picture.':
+    '画面所用的镜头。按文件说明，或按其形状：经纬画面，或立方体的各面。鱼眼和球幕母版是画面中央的一个圆。',
   'Distance of the eyes': '两眼距离',
   'In your rest frame. Far-off things look deep with eyes that are farther apart, as if the world were smaller.':
     '在您的静止系中。两眼离得越远，远处的物体看起来越有立体感，仿佛世界变小了。',

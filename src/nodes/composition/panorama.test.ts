@@ -11,7 +11,7 @@ import type { DomeLight, Scene, Texture } from '../../scene/types.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import { nodeLibrary } from '../library.ts';
 import { evaluatedPicture } from '../pictures/renderSettings.ts';
-import { workerServices } from '../services.ts';
+import { type ReadRequest, workerServices } from '../services.ts';
 
 const texture: Texture = {
   name: 'sky.png',
@@ -35,7 +35,9 @@ const FILES: Readonly<Record<string, Scene>> = {
 
 /** The lights of a scene of a file with a dome of its own and a panorama. */
 async function lights(params: Parameters<typeof panoramaProject>[0]) {
-  const readScene = async (source: string) => {
+  const asked: ReadRequest['fisheye'][] = [];
+  const readScene = async (source: string, { fisheye }: ReadRequest) => {
+    if (source === 'sky.png') asked.push(fisheye);
     const scene = FILES[source];
     if (!scene) throw inputError('file.missing', source, msg`no such file`);
     return { scene };
@@ -44,7 +46,7 @@ async function lights(params: Parameters<typeof panoramaProject>[0]) {
     ...workerServices,
     readScene,
   });
-  return { lights: evaluatedPicture(evaluation)?.scene.lights as readonly DomeLight[] | undefined, evaluation };
+  return { lights: evaluatedPicture(evaluation)?.scene.lights as readonly DomeLight[] | undefined, evaluation, asked };
 }
 
 const about = (v: Vec3) => v.map((x) => expect.closeTo(x, 9));
@@ -65,6 +67,17 @@ describe('the node Panorama', () => {
     expect(await ahead({ up: 'Z' })).toEqual(about([0, 1, 0]));
     expect(await ahead({ up: 'Z' }, [0, 1, 0])).toEqual(about([0, 0, 1]));
     expect(await ahead({ up: 'Z', rotation: 90 })).toEqual(about([-1, 0, 0]));
+  });
+
+  it('tells the reader which fisheye a picture is, if asked to', async () => {
+    const asked = async (params: Parameters<typeof panoramaProject>[0]) =>
+      (await lights({ source: 'sky.png', ...params })).asked[0];
+    expect(await asked({})).toBeUndefined();
+    expect(await asked({ lens: 'fisheye', aperture: 360 })).toMatchObject({ aperture: 2 * Math.PI, elevation: 0 });
+    expect(await asked({ lens: 'dome', domeTilt: 30 })).toMatchObject({
+      aperture: Math.PI,
+      elevation: expect.closeTo(Math.PI / 3, 12),
+    });
   });
 
   it('its colours are a filter before a light, if asked to', async () => {

@@ -3,6 +3,8 @@ import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts
 import { scale } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { isDomeLight } from '../../scene/lights/lightKinds.ts';
+import { domeLens, type FisheyeLens } from '../../scene/view/lenses/fisheyeLens.ts';
+import { LENS_CHOICES, USUAL_LENS } from '../../scene/view/lenses/lensChoice.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import { nodeRefusal, readOrRefuse } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -25,6 +27,39 @@ export const panoramaNode = defineNode({
       help: msg`A picture twice as wide as high, or of six square faces: PNG, JPEG, WebP, AVIF, Radiance (.hdr) or OpenEXR. Of a scene its dome is taken.`,
       default: '',
       file: true,
+    },
+    lens: {
+      kind: 'choice',
+      title: msg`Lens`,
+      help: msg`Of the picture. As the file says, or by its shape: latitude and longitude, or faces of a cube. A fisheye and a dome master are circles in the middle of a picture.`,
+      default: 'file',
+      options: [
+        { value: 'file', title: msg`As the file says` },
+        { value: 'fisheye', title: LENS_CHOICES.fisheye },
+        { value: 'dome', title: LENS_CHOICES.dome },
+      ],
+    },
+    aperture: {
+      kind: 'number',
+      title: msg`Angle of view`,
+      help: msg`The angle across the circle.`,
+      unit: '°',
+      default: USUAL_LENS.aperture,
+      min: 10,
+      max: 360,
+      step: 1,
+      onlyWhen: { param: 'lens', is: ['fisheye', 'dome'] },
+    },
+    domeTilt: {
+      kind: 'number',
+      title: msg`Dome tilt`,
+      help: msg`By how much the dome is tilted towards the front.`,
+      unit: '°',
+      default: USUAL_LENS.domeTilt,
+      min: -90,
+      max: 90,
+      step: 1,
+      onlyWhen: { param: 'lens', is: 'dome' },
     },
     rotation: {
       kind: 'number',
@@ -82,11 +117,12 @@ export const panoramaNode = defineNode({
   outputs: { lights: { type: 'lights' } },
   async evaluate(
     { spectrum },
-    { name, source, rotation, tilt, up, brightness, reading, madeOf },
+    { name, source, lens, aperture, domeTilt, rotation, tilt, up, brightness, reading, madeOf },
     { node, services, signal, progress },
   ) {
     if (source === '') throw nodeRefusal('panorama.none', node, msg`no picture is chosen; name one`);
-    const request = { variants: new Map<string, string>(), signal, progress };
+    const fisheye = fisheyeChosen(lens, radians(aperture), radians(domeTilt));
+    const request = { variants: new Map<string, string>(), signal, progress, ...(fisheye && { fisheye }) };
     const { scene } = await readOrRefuse(() => services.readScene(source, request));
     const dome = scene.lights.find(isDomeLight);
     if (!dome) throw nodeRefusal('panorama.no-dome', node, msg`${source} has no surroundings; name a panorama`);
@@ -105,6 +141,12 @@ export const panoramaNode = defineNode({
     };
   },
 });
+
+/** Undefined for a picture that is not one. Angles [rad]. */
+function fisheyeChosen(lens: 'file' | 'fisheye' | 'dome', aperture: number, tilt: number): FisheyeLens | undefined {
+  if (lens === 'dome') return domeLens(aperture, tilt);
+  return lens === 'fisheye' ? { kind: 'fisheye', aperture, elevation: 0 } : undefined;
+}
 
 /** Tilt [°] about +X, then rotation [°] about the zenith +Y, then the zenith to the scene's. */
 function turned(rotation: number, tilt: number, up: 'Y' | 'Z'): Quat {
