@@ -16,21 +16,23 @@ export interface PictureFace {
   readonly lens: PerspectiveLens;
   /** Of its own picture [px]. */
   readonly size: PictureSize;
-  /** From the camera to the eye, on the camera's axes, in the observer's frame [m]. */
-  readonly eye: Vec3;
+  /** From the camera to the eye, on the camera's axes, in the observer's frame [m]; absent: there. */
+  readonly eye?: Vec3;
   /** The pixels of the picture that may show it; absent: all. */
   readonly rect?: PixelRect;
 }
 
 /** Columns of a stereo picture that are drawn from one place of the eye. That turns with the gaze, so at 45° up or down the edges of a strip are half a pixel off at 34 times the distance of an eye from the head’s middle. */
 const STRIP_COLUMNS = 48;
+/** Most of half the width of a strip [rad]. */
+const MAX_HALF_WIDTH = 1.4;
 
 /** The faces that a picture of this size needs, none for a perspective lens. */
 export function facesOf({ lens }: ViewPoint, size: PictureSize): readonly PictureFace[] {
   if (!isPanoramic(lens)) return [];
   if (lens.kind === 'stereo') return stripsOf(lens, size);
   const side = faceTexels(pixelsPerRadian(lens, size));
-  const shared = { lens: perspective(Math.PI / 2), size: { width: side, height: side }, eye: ZERO };
+  const shared = { lens: perspective(Math.PI / 2), size: { width: side, height: side } };
   return coveredFaces(lens).map((axes) => ({ axes, ...shared }));
 }
 
@@ -45,8 +47,8 @@ function stripsOf(lens: StereoLens, size: PictureSize): readonly PictureFace[] {
   const columns = Math.max(1, Math.min(STRIP_COLUMNS, Math.floor(filled.width / 8)));
   const perRadian = pixelsPerRadian(lens, size);
   const height = faceTexels(perRadian);
-  // At the edges a sample may be half a pixel outside.
-  const half = (columns / 2 + 1) / perRadian;
+  // At the edges a sample may be half a pixel outside; in the tiniest pictures a column is wider than what can be drawn.
+  const half = Math.min(MAX_HALF_WIDTH, (columns / 2 + 1) / perRadian);
   // A face's axis is 45° up: at the horizon, directions are √2 further apart on it.
   const tanX = Math.SQRT2 * Math.tan(half);
   // And at 45°, where it resolves least, pixels are √2 closer together than at the horizon.
@@ -85,8 +87,7 @@ function tiltedAxes(longitude: number, latitude: number): CubeFace {
 
 export function faceViewPoint(view: ViewPoint, { axes, lens, eye }: PictureFace): ViewPoint {
   const drawn = { ...view, lens, orientation: multiply(view.orientation, faceOrientation(axes)) };
-  if (eye === ZERO) return drawn;
-  return { ...drawn, vantage: add(view.vantage ?? ZERO, rotate(view.orientation, eye)) };
+  return eye ? { ...drawn, vantage: add(view.vantage ?? ZERO, rotate(view.orientation, eye)) } : drawn;
 }
 
 /** Axes of the face → those of the camera. */
