@@ -66,6 +66,7 @@ export const sceneCameraNode = defineNode({
       min: 0.001,
       max: 1e9,
       step: 0.001,
+      slider: false,
       onlyWhen: { param: 'lens', is: 'stereo' },
     },
     fieldOfView: {
