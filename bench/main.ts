@@ -59,7 +59,11 @@ const benches: readonly Bench[] = [
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];
 
-const words = process.argv.slice(2);
+/** Writes the figures of the named benchmarks into the page, beside those of the others. */
+const RENEW = '--renew';
+
+const words = process.argv.slice(2).filter((word) => word !== RENEW);
+const renews = process.argv.includes(RENEW);
 /** Files of the person's own, which `load` opens. */
 const files = words.filter((word) => existsSync(word));
 const names = words.filter((word) => !existsSync(word));
@@ -70,17 +74,25 @@ if (unknown.length > 0) {
   process.exit(2);
 }
 
-const parts = [await machine()];
+const written = readPage();
+const here = await machine();
+if (renews && written.machine !== here) {
+  console.error(
+    `${file} has the figures of another machine; without ${RENEW} and names all are measured.\n  ${written.machine}\n  ${here}`,
+  );
+  process.exit(2);
+}
+const parts = new Map(renews ? written.parts : []);
 for (const bench of benches) {
   if (names.length > 0 && !names.includes(bench.name)) continue;
   console.error(`${bench.title} …`);
   const tables = await bench.run(files);
-  const part = [`### ${bench.title}`, bench.about, ...tables.map(markdown)].join('\n\n');
-  console.log(`\n${part}`);
-  parts.push(part);
+  const part = [bench.about, ...tables.map(markdown)].join('\n\n');
+  console.log(`\n### ${bench.title}\n\n${part}`);
+  parts.set(bench.title, part);
 }
 await releaseGpu();
-if (names.length === 0) publish(parts.join('\n\n'));
+if (names.length === 0 || renews) publish();
 
 async function machine(): Promise<string> {
   const { adapterName, software } = await gpu();
@@ -90,11 +102,28 @@ async function machine(): Promise<string> {
   return `Measured on ${cpus().length} × ${cpu.model.trim()}, ${memory}, Node ${process.versions.node}, ${process.platform}; GPU: ${kind}${adapterName}. Medians; compare the ratios, not the times, with another machine.`;
 }
 
-/** Replaces the text between the page's markers; the rest is written by hand. */
-function publish(text: string): void {
-  const page = existsSync(file) ? readFileSync(file, 'utf8') : `# Performance\n\n${BEGIN}\n${END}\n`;
-  const from = page.indexOf(BEGIN);
-  const to = page.indexOf(END);
+/** The page: what is written by hand before and after the figures, the machine, and the parts by their titles. */
+function readPage() {
+  const text = existsSync(file) ? readFileSync(file, 'utf8') : `# Performance\n\n${BEGIN}\n${END}\n`;
+  const [from, to] = [text.indexOf(BEGIN), text.indexOf(END)];
   if (from < 0 || to < from) throw new Error(`${file} has lost its markers ${BEGIN} … ${END}`);
-  writeFileSync(file, `${page.slice(0, from + BEGIN.length)}\n${text}\n${page.slice(to)}`);
+  const [machine = '', ...parts] = text.slice(from + BEGIN.length, to).split(/^### /m);
+  return {
+    before: text.slice(0, from + BEGIN.length),
+    after: text.slice(to),
+    machine: machine.trim(),
+    parts: parts.map((part): readonly [string, string] => {
+      const end = part.indexOf('\n');
+      return [part.slice(0, end), part.slice(end).trim()];
+    }),
+  };
+}
+
+/** In the order of the benchmarks. */
+function publish(): void {
+  const ordered = benches.flatMap(({ title }) => {
+    const part = parts.get(title);
+    return part === undefined ? [] : [`### ${title}\n\n${part}`];
+  });
+  writeFileSync(file, `${written.before}\n${[here, ...ordered].join('\n\n')}\n${written.after}`);
 }

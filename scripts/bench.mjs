@@ -1,4 +1,4 @@
-// `npm run bench`: measures this machine and writes docs/performance.md. `npm run bench -- NAME …` runs some and writes nothing.
+// `npm run bench`: measures this machine and writes docs/performance.md. `npm run bench -- NAME …` runs some and writes nothing, with `--renew` their parts of the page.
 import { join } from 'node:path';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
 
