@@ -11,7 +11,7 @@ declare global {
 window.captureAgreement = async (names) => {
   const renderer = await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
   await renderer.setScene(SCENE);
-  // In a page, the code of captures is loaded by the first picture that needs it.
-  await renderer.precompile([VIEWS['at rest']!], CAPTURED);
+  // In a page, the code of captures, and that of faces, is loaded by the first picture that needs it.
+  await renderer.precompile([VIEWS['0.6 c, dome']!], CAPTURED);
   return agreement(renderer, names, () => {});
 };
