@@ -59,7 +59,14 @@ export default defineConfig({
   base: './',
   publicDir: false,
   plugins: [react(), examples(), fonts(), ownDockTheme()],
-  worker: { format: 'es', plugins: () => [withoutGpu()] },
+  worker: {
+    format: 'es',
+    plugins: () => [withoutGpu()],
+    // Few scenes have pictures of radiance; by itself the bundler puts their readers beside small modules that all scenes need.
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: 'radiance', test: /formats\/image\/(exr|readExr|radiance\/)/ }] } },
+    },
+  },
   build: {
     outDir: join(root, 'dist/app'),
     emptyOutDir: true,

@@ -22,8 +22,11 @@ export interface LoadedScene {
 /** The fastest vertex of a scene and its object. */
 export type FastestScenePoint = FastestInScene;
 
+/** What a node asks of a reader. */
+export type SceneReadOptions = Pick<ReadOptions, 'variants' | 'interpolation' | 'prim' | 'fisheye'>;
+
 /** Options for reading a scene. */
-export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolation' | 'prim' | 'fisheye'> {
+export interface ReadRequest extends SceneReadOptions {
   /** Cancels the reading. */
   readonly signal?: AbortSignalLike;
   /** Told how far the reading is. */

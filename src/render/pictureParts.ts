@@ -69,26 +69,22 @@ export class PictureParts {
 
   /** Runs frame graphs; for pictures that are ready. */
   get FrameGraphRunner(): typeof FrameGraphRunner {
-    if (!PARTS.runner.code) throw new Error('frame graphs are not loaded yet');
-    return PARTS.runner.code;
+    return loaded(PARTS.runner, 'frame graphs');
   }
 
   /** Captures what surrounds an event; for pictures that are ready. */
   get Capture(): typeof Capture {
-    if (!PARTS.capture.code) throw new Error('captures are not loaded yet');
-    return PARTS.capture.code;
+    return loaded(PARTS.capture, 'captures');
   }
 
   /** Displays numbers as colours; for pictures that are ready. */
-  get falseColors(): NonNullable<typeof PARTS.falseColors.code> {
-    if (!PARTS.falseColors.code) throw new Error('false colours are not loaded yet');
-    return PARTS.falseColors.code;
+  get falseColors() {
+    return loaded(PARTS.falseColors, 'false colours');
   }
 
   /** What puts panoramic pictures together; for pictures that are ready. */
-  get faces(): NonNullable<typeof PARTS.faces.code> {
-    if (!PARTS.faces.code) throw new Error('faces are not loaded yet');
-    return PARTS.faces.code;
+  get faces() {
+    return loaded(PARTS.faces, 'faces');
   }
 
   /** The overlay of a picture that is ready; undefined if it has none. `ghost`: the G-buffer of its ghost. */
@@ -108,6 +104,12 @@ export class PictureParts {
       this.callbacks.onError(error as Error);
     }
   }
+}
+
+/** Throws if a part is used by a picture that is not ready. */
+function loaded<Code>({ code }: LazyPart<Code>, name: string): Code {
+  if (!code) throw new Error(`${name} are not loaded yet`);
+  return code;
 }
 
 function neededBy(views: PictureViews, settings: PartSettings): readonly LazyPart<unknown>[] {

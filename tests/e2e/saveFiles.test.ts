@@ -6,6 +6,7 @@ import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { sphericalOf } from '../../src/formats/spherical/sphericalOf.ts';
+import { memoryFile } from '../../src/formats/zip/zipSource.ts';
 import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, connect, edited, set } from '../support/graphKit.ts';
@@ -91,8 +92,10 @@ it('a 360° picture and a 360° film say what they are, and the page shows the p
   );
   await visit.shot('equirectangular');
   const still = await downloaded(visit, 'still');
-  const file = { size: still.content.length, read: async (at: number, end: number) => still.content.subarray(at, end) };
-  expect(await sphericalOf(file, still.name)).toMatchObject({ projection: 'equirectangular', stereo: 'none' });
+  expect(await sphericalOf(memoryFile(still.content), still.name)).toMatchObject({
+    projection: 'equirectangular',
+    stereo: 'none',
+  });
   expect(decode(still.content)).toMatchObject({ width: 64, height: 32 });
   await downloaded(visit, 'film');
   const path = join(shots, 'download-film.mp4');
@@ -107,8 +110,10 @@ it('a stereo picture is shown, and saved with its mark', async () => {
   );
   await visit.shot('stereo');
   const still = await downloaded(visit, 'still');
-  const file = { size: still.content.length, read: async (at: number, end: number) => still.content.subarray(at, end) };
-  expect(await sphericalOf(file, still.name)).toMatchObject({ projection: 'equirectangular', stereo: 'top-bottom' });
+  expect(await sphericalOf(memoryFile(still.content), still.name)).toMatchObject({
+    projection: 'equirectangular',
+    stereo: 'top-bottom',
+  });
   expect(decode(still.content)).toMatchObject({ width: 64, height: 64 });
 });
 

@@ -169,13 +169,8 @@ function servicesAt(project: string): Services {
     readFont,
     renderStill,
     openGpu: openDevice,
-    async readScene(source, { variants, interpolation, prim, fisheye }) {
-      const read = await openSceneFile(at(source), {
-        ...(variants && { variants }),
-        ...(interpolation && { interpolation }),
-        ...(prim && { prim }),
-        ...(fisheye && { fisheye }),
-      });
+    async readScene(source, { signal: _, progress: __, ...how }) {
+      const read = await openSceneFile(at(source), how);
       return toLoadedScene(renderableScene(read).scene);
     },
     async readFile(name) {

@@ -38,16 +38,7 @@ const progress = (part: number): void => reply({ kind: 'progress', stage: 'parse
 
 async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Promise<LoadedScene> {
   const { source, entry } = await sceneIn(sourceOf(request, files), request.entry);
-  return loadedScene(
-    await openScene(source, entry, {
-      variants: new Map(request.variants),
-      progress,
-      decodePicture,
-      ...(request.interpolation && { interpolation: request.interpolation }),
-      ...(request.prim && { prim: request.prim }),
-      ...(request.fisheye && { fisheye: request.fisheye }),
-    }),
-  );
+  return loadedScene(await openScene(source, entry, { ...request.how, progress, decodePicture }));
 }
 
 /** The read fraction of a file is known; that of parsing is not. */

@@ -1,8 +1,6 @@
-import type { Interpolation } from '../../formats/readOptions.ts';
 import type { Message } from '../../messages/message.ts';
-import type { LoadedScene } from '../../nodes/services.ts';
+import type { LoadedScene, SceneReadOptions } from '../../nodes/services.ts';
 import type { Diagnostic } from '../../scene/types.ts';
-import type { FisheyeLens } from '../../scene/view/lenses/fisheyeLens.ts';
 import type { UserFile } from './userFiles.ts';
 
 /** Where the worker finds a scene's files. */
@@ -15,13 +13,7 @@ export interface SceneFiles {
 }
 
 export interface LoadRequest extends SceneFiles {
-  /** `set`, `option`. */
-  readonly variants: readonly (readonly [string, string])[];
-  readonly interpolation?: Interpolation;
-  /** Path of the prim to read. */
-  readonly prim?: string;
-  /** Of a picture of all directions. */
-  readonly fisheye?: FisheyeLens;
+  readonly how: SceneReadOptions;
   /** Return the files that reading requests from the server, instead of the scene. */
   readonly collect?: true;
 }

@@ -2,7 +2,7 @@ import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import type { AbortSignalLike, ProgressCallback } from '../../graph/nodeType.ts';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
-import type { LoadedScene, ReadRequest, Services } from '../../nodes/services.ts';
+import type { LoadedScene, ReadRequest, SceneReadOptions, Services } from '../../nodes/services.ts';
 import { InputError } from '../../scene/types.ts';
 import { workerError } from '../pipelines/workerError.ts';
 import { localSource, splitAddress, urlSource } from './fileSources.ts';
@@ -11,30 +11,16 @@ import type { LoaderReply, LoadRequest, SceneFiles } from './protocol.ts';
 
 /** Reads the scene of a document's `source`: user files of this session, or an address relative to the page. */
 export function sceneReader(local: LocalFiles): Services['readScene'] {
-  return (source, how) => readInWorker(requestFor(local, source, how), how);
+  return (source, { signal, progress, ...how }) =>
+    readInWorker({ ...filesOf(local, source), how }, { ...(signal && { signal }), progress });
 }
 
-function requestFor(
-  local: LocalFiles,
-  source: string,
-  { variants = new Map(), interpolation, prim, fisheye }: SceneReadOptions,
-): LoadRequest {
-  const files = local.get(source) ?? filesAtAddress(source);
-  return {
-    ...files,
-    variants: [...variants],
-    ...(interpolation && { interpolation }),
-    ...(prim && { prim }),
-    ...(fisheye && { fisheye }),
-  };
-}
-
-type SceneReadOptions = Pick<ReadRequest, 'variants' | 'interpolation' | 'prim' | 'fisheye'>;
+const filesOf = (local: LocalFiles, source: string): SceneFiles => local.get(source) ?? filesAtAddress(source);
 
 /** Reads a small file of a document: a user file of this session, or an address relative to the page. */
 export function fileReader(local: LocalFiles): Services['readFile'] {
   return async (source) => {
-    const { files, base, entry } = local.get(source) ?? filesAtAddress(source);
+    const { files, base, entry } = filesOf(local, source);
     const others = base === undefined ? undefined : urlSource(base, () => {});
     const bytes = await localSource(new Map(files), () => {}, others).read(entry);
     if (bytes) return bytes;
@@ -52,7 +38,10 @@ function filesAtAddress(source: string): SceneFiles {
 }
 
 /** One worker per scene; it is terminated to cancel. */
-async function readInWorker(request: LoadRequest, { signal, progress }: ReadRequest): Promise<LoadedScene> {
+async function readInWorker(
+  request: LoadRequest,
+  { signal, progress }: Pick<ReadRequest, 'signal' | 'progress'>,
+): Promise<LoadedScene> {
   progress(undefined, 'fetch');
   const reply = await askWorker(request, progress, signal);
   if (reply.kind === 'done') return reply.loaded;
@@ -65,7 +54,7 @@ export async function collectServerFiles(
   source: string,
   how: SceneReadOptions,
 ): Promise<ReadonlyMap<string, Uint8Array>> {
-  const reply = await askWorker({ ...requestFor(local, source, how), collect: true }, () => {});
+  const reply = await askWorker({ ...filesOf(local, source), how, collect: true }, () => {});
   if (reply.kind !== 'collected') throw new MessageError(msg`the reader did not give the files`);
   return reply.files;
 }

@@ -51,6 +51,9 @@ export function imageKind(bytes: Uint8Array): string {
   return 'unknown';
 }
 
+/** Whether it is a picture of radiance. */
+export const hasRadiance = (bytes: Uint8Array): boolean => ['Radiance HDR', 'OpenEXR'].includes(imageKind(bytes));
+
 function unreadableImage(name: LocalizedText, kind: string): InputError {
   if (kind === 'empty') return inputError('image.empty', name, msg`the picture is empty (0 bytes); copy it again`);
   const what = kind === 'unknown' ? msg`neither PNG nor JPEG` : msg`${kind}, which is not read`;

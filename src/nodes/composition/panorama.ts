@@ -3,9 +3,9 @@ import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts
 import { scale } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { isDomeLight } from '../../scene/lights/lightKinds.ts';
-import { domeLens, type FisheyeLens } from '../../scene/view/lenses/fisheyeLens.ts';
-import { LENS_CHOICES, USUAL_LENS } from '../../scene/view/lenses/lensChoice.ts';
+import { fisheyeLens, LENS_CHOICES } from '../../scene/view/lenses/lensChoice.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
+import { fisheyeParams } from '../common/fisheyeParams.ts';
 import { nodeRefusal, readOrRefuse } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { emissionParam, lightBase, nameParam } from './lightParams.ts';
@@ -39,28 +39,7 @@ export const panoramaNode = defineNode({
         { value: 'dome', title: LENS_CHOICES.dome },
       ],
     },
-    aperture: {
-      kind: 'number',
-      title: msg`Angle of view`,
-      help: msg`The angle across the circle.`,
-      unit: '°',
-      default: USUAL_LENS.aperture,
-      min: 10,
-      max: 360,
-      step: 1,
-      onlyWhen: { param: 'lens', is: ['fisheye', 'dome'] },
-    },
-    domeTilt: {
-      kind: 'number',
-      title: msg`Dome tilt`,
-      help: msg`By how much the dome is tilted towards the front.`,
-      unit: '°',
-      default: USUAL_LENS.domeTilt,
-      min: -90,
-      max: 90,
-      step: 1,
-      onlyWhen: { param: 'lens', is: 'dome' },
-    },
+    ...fisheyeParams,
     rotation: {
       kind: 'number',
       title: msg`Rotation`,
@@ -121,7 +100,7 @@ export const panoramaNode = defineNode({
     { node, services, signal, progress },
   ) {
     if (source === '') throw nodeRefusal('panorama.none', node, msg`no picture is chosen; name one`);
-    const fisheye = fisheyeChosen(lens, radians(aperture), radians(domeTilt));
+    const fisheye = lens === 'file' ? undefined : fisheyeLens({ lens, aperture, domeTilt });
     const request = { variants: new Map<string, string>(), signal, progress, ...(fisheye && { fisheye }) };
     const { scene } = await readOrRefuse(() => services.readScene(source, request));
     const dome = scene.lights.find(isDomeLight);
@@ -141,12 +120,6 @@ export const panoramaNode = defineNode({
     };
   },
 });
-
-/** Undefined for a picture that is not one. Angles [rad]. */
-function fisheyeChosen(lens: 'file' | 'fisheye' | 'dome', aperture: number, tilt: number): FisheyeLens | undefined {
-  if (lens === 'dome') return domeLens(aperture, tilt);
-  return lens === 'fisheye' ? { kind: 'fisheye', aperture, elevation: 0 } : undefined;
-}
 
 /** Tilt [°] about +X, then rotation [°] about the zenith +Y, then the zenith to the scene's. */
 function turned(rotation: number, tilt: number, up: 'Y' | 'Z'): Quat {

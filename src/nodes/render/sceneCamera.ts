@@ -3,6 +3,7 @@ import { radians } from '../../math/angle.ts';
 import { listed, msg } from '../../messages/message.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { LENS_CHOICES, type LensChoice, panoramicLens, USUAL_LENS } from '../../scene/view/lenses/lensChoice.ts';
+import { fisheyeParams } from '../common/fisheyeParams.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { pictureCamera } from '../pictures/renderSettings.ts';
@@ -35,28 +36,7 @@ export const sceneCameraNode = defineNode({
       default: USUAL_LENS.lens,
       options: Object.entries(LENS_CHOICES).map(([value, title]) => ({ value: value as LensChoice, title })),
     },
-    aperture: {
-      kind: 'number',
-      title: msg`Angle of view`,
-      help: msg`The angle across the circle.`,
-      unit: '°',
-      default: USUAL_LENS.aperture,
-      min: 10,
-      max: 360,
-      step: 1,
-      onlyWhen: { param: 'lens', is: ['fisheye', 'dome'] },
-    },
-    domeTilt: {
-      kind: 'number',
-      title: msg`Dome tilt`,
-      help: msg`By how much the dome is tilted towards the front.`,
-      unit: '°',
-      default: USUAL_LENS.domeTilt,
-      min: -90,
-      max: 90,
-      step: 1,
-      onlyWhen: { param: 'lens', is: 'dome' },
-    },
+    ...fisheyeParams,
     eyeSeparation: {
       kind: 'number',
       title: msg`Distance of the eyes`,

@@ -34,16 +34,3 @@ export function rayToward({ t, position, u }: ViewPoint, settings: RenderSetting
   const [dt, ...dx] = VIEWS[settings.view].rayToward(n, u, settings);
   return { t, x: position, dt, dx };
 }
-
-/** The ray of what is infinitely far at a point of the picture, the same from beside the eye; undefined where the lens shows nothing. */
-export function skyRay(
-  view: ViewPoint,
-  settings: RenderSettings,
-  x: number,
-  y: number,
-  width: number,
-  height: number,
-): SpacetimeRay | undefined {
-  const n = directionAt(view, x, y, width, height);
-  return n && rayToward(view, settings, n);
-}

@@ -14,7 +14,7 @@ import {
   shadeFactor,
 } from '../../spectrum/falseColor/falseColor.ts';
 import { emittedWavelength } from '../../spectrum/falseColor/spectralBands.ts';
-import { skyRay } from '../camera/lensRay.ts';
+import { directionAt, rayToward } from '../camera/lensRay.ts';
 import type { PixelCanvas } from '../figures/pixelCanvas.ts';
 
 /** The AOVs required by each false-colour quantity. */
@@ -77,8 +77,8 @@ export function skyDoppler(
   const found = viewPixelAt(views, size, x, y);
   if (!found) return Number.NaN;
   const { view, width, height } = found;
-  const ray = skyRay(view, settings, found.x, found.y, width, height);
-  return ray ? dopplerFactor(ray.dx, view.u, ZERO) : Number.NaN;
+  const n = directionAt(view, found.x, found.y, width, height);
+  return n ? dopplerFactor(rayToward(view, settings, n).dx, view.u, ZERO) : Number.NaN;
 }
 
 /** The false-colour picture: RGBA, sRGB, opaque. */

@@ -30,10 +30,14 @@ export class PassCache {
     const key = owner === undefined ? name : `${owner}/${name}`;
     const pass = this.passes.get(key) ?? new FullScreenPass(output(), name, region);
     this.passes.set(key, pass);
-    if (target && rect) target.scissor.set(rect.x, rect.y, rect.width, rect.height);
-    if (target) target.scissorTest = rect !== undefined;
+    if (!target || !rect) {
+      pass.render(this.renderer, target, over);
+      return;
+    }
+    target.scissor.set(rect.x, rect.y, rect.width, rect.height);
+    target.scissorTest = true;
     pass.render(this.renderer, target, over);
-    if (target) target.scissorTest = false;
+    target.scissorTest = false;
   }
 
   /** Disposes of the passes that read a scene. */

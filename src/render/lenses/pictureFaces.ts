@@ -1,7 +1,8 @@
 import { fromMatrix, multiply, type Quat, rotate } from '../../math/quat.ts';
-import { add, scale, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, type Vec3, ZERO } from '../../math/vec3.ts';
 import { coveredFaces } from '../../scene/view/lenses/coveredFaces.ts';
-import type { CubeFace } from '../../scene/view/lenses/cubeFaces.ts';
+import { type CubeFace, faceTowards } from '../../scene/view/lenses/cubeFaces.ts';
+import { towards } from '../../scene/view/lenses/equirectangularLens.ts';
 import { filledSize, isPanoramic, pixelsPerRadian } from '../../scene/view/lenses/lenses.ts';
 import { type PerspectiveLens, perspective } from '../../scene/view/lenses/perspectiveLens.ts';
 import { eyeAt, type StereoLens } from '../../scene/view/lenses/stereoLens.ts';
@@ -59,30 +60,20 @@ function stripsOf(lens: StereoLens, size: PictureSize): readonly PictureFace[] {
     for (let x = first; x < end; x += columns) {
       const longitude = Math.PI * ((2 * (x + columns / 2 - left)) / filled.width - 1);
       for (const up of [1, -1]) {
+        const latitude = (up * Math.PI) / 4;
         const quarter = filled.height / 4;
         const from = top + quarter * (2 * eye + (up > 0 ? 0 : 1));
         // One row more for samples beside their pixels' centres.
         const [y0, y1] = [Math.max(0, Math.floor(from) - 1), Math.min(size.height, Math.ceil(from + quarter) + 1)];
         faces.push({
           ...shared,
-          axes: tiltedAxes(longitude, (up * Math.PI) / 4),
+          axes: faceTowards(towards(longitude, latitude), towards(longitude, latitude + Math.PI / 2)),
           eye: eyeAt(longitude, (side * lens.separation) / 2),
           rect: { x, y: y0, width: Math.min(x + columns, end) - x, height: y1 - y0 },
         });
       }
     }
   return faces;
-}
-
-/** Forward in a direction of this longitude and latitude, the horizon across. */
-function tiltedAxes(longitude: number, latitude: number): CubeFace {
-  const level: Vec3 = [Math.sin(longitude), 0, -Math.cos(longitude)];
-  const [s, c] = [Math.sin(latitude), Math.cos(latitude)];
-  return {
-    forward: add(scale(level, c), [0, s, 0]),
-    up: add(scale(level, -s), [0, c, 0]),
-    right: [Math.cos(longitude), 0, Math.sin(longitude)],
-  };
 }
 
 export function faceViewPoint(view: ViewPoint, { axes, lens, eye }: PictureFace): ViewPoint {

@@ -1,16 +1,13 @@
 import '../../../src/cli/gpu/nodeShim.ts';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
-import { conjugate, fromAxisAngle, IDENTITY, multiply, rotate } from '../../../src/math/quat.ts';
+import { conjugate, rotate } from '../../../src/math/quat.ts';
 import { addScaled, normalize, sub, type Vec3 } from '../../../src/math/vec3.ts';
-import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { apparentPosition } from '../../../src/physics/optics/apparentPosition.ts';
 import { observerDoppler } from '../../../src/physics/optics/doppler.ts';
 import { cameraRay } from '../../../src/reference/camera/cameraRay.ts';
 import { visibleHit } from '../../../src/reference/camera/visibleHit.ts';
 import { createTracedScene } from '../../../src/reference/intersection/tracedScene.ts';
-import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
-import { box, grid, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { CUBE_FACES } from '../../../src/scene/view/lenses/cubeFaces.ts';
 import { CUBE_GRIDS } from '../../../src/scene/view/lenses/cubeLens.ts';
 import { domeLens } from '../../../src/scene/view/lenses/fisheyeLens.ts';
@@ -18,39 +15,16 @@ import { lensPixel, type PanoramicLens } from '../../../src/scene/view/lenses/le
 import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import { relativeLuminance } from '../../../src/scene/view/metering.ts';
 import type { PictureSize } from '../../../src/scene/view/pictureSize.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import type { ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
+import { C, eye, SETTINGS, thingsAround } from './thingsAround.ts';
 
-const C = 10;
-const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: C, antialiasing: false };
-const around = (path: string, position: Vec3, size = 2) =>
-  makeObject({ path, mesh: box([size, size, size]), motion: restingAt(position) });
 /** Things on all sides, one of them in flight. */
-const SCENE = makeScene({
-  name: 'around',
-  materials: [makeMaterial({ name: 'matte', baseColor: [0.6, 0.5, 0.4], ior: 1, roughness: 1 })],
-  objects: [
-    makeObject({ path: '/Floor', mesh: grid(40, 40, 8, 8, 'Y'), motion: restingAt([0, -2, 0]) }),
-    around('/Ahead', [1, 0, -8]),
-    around('/Behind', [-1, 1, 7]),
-    around('/Right', [6, 1, 1]),
-    around('/Left', [-5, 0, -2]),
-    around('/Above', [0.5, 6, -0.5]),
-    makeObject({
-      path: '/Ball',
-      mesh: sphere(1.5, { segments: 64, rings: 32 }),
-      motion: { kind: 'uniform', pose: { position: [-6, 2, -5], orientation: IDENTITY }, velocity: [0.8 * C, 0, 0] },
-    }),
-  ],
-});
-const TURNED = multiply(fromAxisAngle([0, 1, 0], 0.4), fromAxisAngle([1, 0, 0], 0.2));
-const eye = (lens: PanoramicLens): ViewPoint => ({
-  t: 0.3,
-  position: [0.3, 0.2, 0.5],
-  u: properVelocity([0.5, 0.1, -0.6]),
-  orientation: TURNED,
-  lens,
-});
+const SCENE = thingsAround([
+  ['/Right', [6, 1, 1], 2],
+  ['/Left', [-5, 0, -2], 2],
+  ['/Above', [0.5, 6, -0.5], 2],
+]);
 const LENSES: readonly { name: string; lens: PanoramicLens; width: number; height: number }[] = [
   { name: 'equirectangular', lens: { kind: 'equirectangular' }, width: 256, height: 128 },
   { name: 'dome', lens: domeLens(Math.PI, 0.3), width: 160, height: 160 },

@@ -1,50 +1,26 @@
 import '../../../src/cli/gpu/nodeShim.ts';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
-import { conjugate, fromAxisAngle, IDENTITY, multiply, rotate } from '../../../src/math/quat.ts';
+import { conjugate, rotate } from '../../../src/math/quat.ts';
 import { length, normalize, scale, sub, type Vec3 } from '../../../src/math/vec3.ts';
-import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { apparentPosition } from '../../../src/physics/optics/apparentPosition.ts';
 import { cameraRay } from '../../../src/reference/camera/cameraRay.ts';
 import { visibleHit } from '../../../src/reference/camera/visibleHit.ts';
 import { createTracedScene } from '../../../src/reference/intersection/tracedScene.ts';
-import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
-import { box, grid, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { lensPixel } from '../../../src/scene/view/lenses/lenses.ts';
 import { relativeLuminance } from '../../../src/scene/view/metering.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import type { ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
+import { C, eye, SETTINGS, thingsAround } from './thingsAround.ts';
 
-const C = 10;
-const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: C, antialiasing: false };
-const around = (path: string, position: Vec3, size = 2) =>
-  makeObject({ path, mesh: box([size, size, size]), motion: restingAt(position) });
-const SCENE = makeScene({
-  name: 'around',
-  materials: [makeMaterial({ name: 'matte', baseColor: [0.6, 0.5, 0.4], ior: 1, roughness: 1 })],
-  objects: [
-    makeObject({ path: '/Floor', mesh: grid(40, 40, 8, 8, 'Y'), motion: restingAt([0, -2, 0]) }),
-    around('/Ahead', [1, 0, -8]),
-    around('/Behind', [-1, 1, 7]),
-    around('/Right', [4, 1, 1], 1),
-    around('/Left', [-3, 0, -1], 1),
-    around('/Above', [0.5, 4, -0.5], 1),
-    makeObject({
-      path: '/Ball',
-      mesh: sphere(1.5, { segments: 64, rings: 32 }),
-      motion: { kind: 'uniform', pose: { position: [-6, 2, -5], orientation: IDENTITY }, velocity: [0.8 * C, 0, 0] },
-    }),
-  ],
-});
+const SCENE = thingsAround([
+  ['/Right', [4, 1, 1], 1],
+  ['/Left', [-3, 0, -1], 1],
+  ['/Above', [0.5, 4, -0.5], 1],
+]);
 /** Wide apart, so that the eyes see differently. */
 const SEPARATION = 0.4;
-const VIEW: ViewPoint = {
-  t: 0.3,
-  position: [0.3, 0.2, 0.5],
-  u: properVelocity([0.5, 0.1, -0.6]),
-  orientation: multiply(fromAxisAngle([0, 1, 0], 0.4), fromAxisAngle([1, 0, 0], 0.2)),
-  lens: { kind: 'stereo', separation: SEPARATION },
-};
+const VIEW = eye({ kind: 'stereo', separation: SEPARATION });
 const SIDE = 384;
 const SIZE = { width: SIDE, height: SIDE };
 

@@ -2,7 +2,7 @@ import { fromHalf } from '../../../math/half.ts';
 import { listed, msg } from '../../../messages/message.ts';
 import { encodeSrgb } from '../../../spectrum/display/srgb.ts';
 import { inputError } from '../../diagnostics/inputError.ts';
-import { type DecodedImage, imageKind } from '../decodeImage.ts';
+import { type DecodedImage, hasRadiance, imageKind } from '../decodeImage.ts';
 import { readExr } from '../readExr.ts';
 import { checkRadianceSize } from './radianceLimits.ts';
 import { readHdr } from './readHdr.ts';
@@ -18,9 +18,9 @@ type PixelChannels = readonly ((pixel: number) => number)[];
 
 /** An OpenEXR or Radiance picture by its content, sRGB-encoded; undefined where it is neither. Throws an InputError that names `name`. */
 export function decodeFloatPicture(bytes: Uint8Array, name: string): FloatPicture | undefined {
-  const kind = imageKind(bytes);
-  if (kind !== 'OpenEXR' && kind !== 'Radiance HDR') return undefined;
-  const { width, height, channels } = kind === 'OpenEXR' ? exrChannels(bytes, name) : hdrChannels(bytes, name);
+  if (!hasRadiance(bytes)) return undefined;
+  const { width, height, channels } =
+    imageKind(bytes) === 'OpenEXR' ? exrChannels(bytes, name) : hdrChannels(bytes, name);
   const data = new Uint8Array(4 * width * height);
   const numbers = new Uint8Array(4 * width * height);
   for (let pixel = 0; pixel < width * height; pixel++) {

@@ -8,7 +8,7 @@ import { towardsZenith } from '../../../scene/view/lenses/fisheyeLens.ts';
 import { filledSize, lensDirection, perspectiveOf } from '../../../scene/view/lenses/lenses.ts';
 import { type Frustum, frustumOf } from '../../../scene/view/lenses/perspectiveLens.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
-import { directionAt, skyRay } from '../../camera/lensRay.ts';
+import { directionAt, rayToward } from '../../camera/lensRay.ts';
 
 /** An f64 image of any number of channels, by default three, rows from the top. */
 export class FloatImage {
@@ -123,8 +123,8 @@ export class GBufferReader {
   /** Direction of the pixel's ray: unit, world frame; zero where the lens shows nothing. */
   direction(x: number, y: number): Vec3 {
     const { view, settings } = this.input;
-    const ray = skyRay(view, settings, x + 0.5, y + 0.5, this.image.width, this.image.height);
-    return ray ? normalize(ray.dx) : ZERO;
+    const n = directionAt(view, x + 0.5, y + 0.5, this.image.width, this.image.height);
+    return n ? normalize(rayToward(view, settings, n).dx) : ZERO;
   }
 
   /** tan of the angles from the axis, to the right and up; of a perspective lens. */

@@ -7,16 +7,17 @@ export interface CubeFace {
   readonly right: Vec3;
 }
 
-const face = (forward: Vec3, up: Vec3): CubeFace => ({ forward, up, right: cross(forward, up) });
+/** The face in a direction, with `up` at its top; both unit, at right angles. */
+export const faceTowards = (forward: Vec3, up: Vec3): CubeFace => ({ forward, up, right: cross(forward, up) });
 
 /** Right, left, up, down, front, back; all but two have the camera's up at the top, and what is ahead is below the one above and above the one below. */
 export const CUBE_FACES: readonly CubeFace[] = [
-  face([1, 0, 0], [0, 1, 0]),
-  face([-1, 0, 0], [0, 1, 0]),
-  face([0, 1, 0], [0, 0, 1]),
-  face([0, -1, 0], [0, 0, -1]),
-  face([0, 0, -1], [0, 1, 0]),
-  face([0, 0, 1], [0, 1, 0]),
+  faceTowards([1, 0, 0], [0, 1, 0]),
+  faceTowards([-1, 0, 0], [0, 1, 0]),
+  faceTowards([0, 1, 0], [0, 0, 1]),
+  faceTowards([0, -1, 0], [0, 0, -1]),
+  faceTowards([0, 0, -1], [0, 1, 0]),
+  faceTowards([0, 0, 1], [0, 1, 0]),
 ];
 
 /** The face that shows a direction, and where on it: tangents to the right and up, −1 … 1. */

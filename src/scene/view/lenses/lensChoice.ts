@@ -3,7 +3,7 @@ import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { MessageError } from '../../../messages/messageError.ts';
 import type { PictureSize } from '../pictureSize.ts';
 import { CUBE_GRIDS } from './cubeLens.ts';
-import { domeLens } from './fisheyeLens.ts';
+import { domeLens, type FisheyeLens } from './fisheyeLens.ts';
 import type { Lens, PanoramicLens } from './lenses.ts';
 
 /** The lenses that a camera can be given, by the names of flags and parameters. */
@@ -40,9 +40,8 @@ export function panoramicLens({ lens, aperture, domeTilt, eyeSeparation }: Chose
     case 'equirectangular':
       return { kind: 'equirectangular' };
     case 'fisheye':
-      return { kind: 'fisheye', aperture: radians(aperture), elevation: 0 };
     case 'dome':
-      return domeLens(radians(aperture), radians(domeTilt));
+      return fisheyeLens({ lens, aperture, domeTilt });
     case 'cube':
       return { kind: 'cube', layout: '3x2' };
     case 'cube-strip':
@@ -51,6 +50,16 @@ export function panoramicLens({ lens, aperture, domeTilt, eyeSeparation }: Chose
       return { kind: 'stereo', separation: eyeSeparation };
   }
 }
+
+/** The same of a choice that is known to be a fisheye. */
+export const fisheyeLens = ({
+  lens,
+  aperture,
+  domeTilt,
+}: Pick<ChosenLens, 'aperture' | 'domeTilt'> & { readonly lens: 'fisheye' | 'dome' }): FisheyeLens =>
+  lens === 'dome'
+    ? domeLens(radians(aperture), radians(domeTilt))
+    : { kind: 'fisheye', aperture: radians(aperture), elevation: 0 };
 
 /** A choice of which `panoramicLens` makes this lens. */
 export function choiceOf(lens: PanoramicLens): ChosenLens {

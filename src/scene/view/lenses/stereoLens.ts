@@ -1,5 +1,6 @@
 import { scale, type Vec3 } from '../../../math/vec3.ts';
-import { equirectangularModel } from './equirectangularLens.ts';
+import type { PictureSize } from '../pictureSize.ts';
+import { type EquirectangularLens, equirectangularModel } from './equirectangularLens.ts';
 import type { LensModel, PicturePlace } from './lensModel.ts';
 
 /**
@@ -17,21 +18,18 @@ export interface StereoLens {
 const inHalf = ([x, y]: PicturePlace): { readonly side: -1 | 1; readonly place: PicturePlace } =>
   y >= 0 ? { side: -1, place: [x, 2 * y - 1] } : { side: 1, place: [x, 2 * y + 1] };
 
-/** `directionAt` of each half as of an equirectangular picture; `placeOf` is that of the left eye, of what is far away. */
+const EYE: EquirectangularLens = { kind: 'equirectangular' };
+const halfOf = ({ width, height }: PictureSize): PictureSize => ({ width, height: height / 2 });
+
+/** Each half is an equirectangular picture; `placeOf` is that of the left eye, of what is far away. */
 export const stereoModel: LensModel<StereoLens> = {
-  directionAt: (_, place, { width, height }) =>
-    equirectangularModel.directionAt({ kind: 'equirectangular' }, inHalf(place).place, { width, height: height / 2 }),
-  placeOf(_, direction, { width, height }) {
-    const half = { width, height: height / 2 };
-    const place = equirectangularModel.placeOf({ kind: 'equirectangular' }, direction, half);
+  directionAt: (_, place, size) => equirectangularModel.directionAt(EYE, inHalf(place).place, halfOf(size)),
+  placeOf(_, direction, size) {
+    const place = equirectangularModel.placeOf(EYE, direction, halfOf(size));
     return place && [place[0], (place[1] + 1) / 2];
   },
-  pixelSolidAngle: (_, place, { width, height }) =>
-    equirectangularModel.pixelSolidAngle({ kind: 'equirectangular' }, inHalf(place).place, {
-      width,
-      height: height / 2,
-    }),
-  pixelsPerRadian: (_, { width, height }) => Math.max(width / (2 * Math.PI), height / (2 * Math.PI)),
+  pixelSolidAngle: (_, place, size) => equirectangularModel.pixelSolidAngle(EYE, inHalf(place).place, halfOf(size)),
+  pixelsPerRadian: (_, size) => equirectangularModel.pixelsPerRadian(EYE, halfOf(size)),
   eyeAt: ({ separation }, place) => eyeAt(Math.PI * place[0], (inHalf(place).side * separation) / 2),
 };
 

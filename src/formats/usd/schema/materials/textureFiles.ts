@@ -1,4 +1,4 @@
-import { type DecodedImage, decodeImage, imageKind, looksLikeColor } from '../../../image/decodeImage.ts';
+import { type DecodedImage, decodeImage, hasRadiance, looksLikeColor } from '../../../image/decodeImage.ts';
 import type { DecodedRadiance } from '../../../image/radiance/radianceLimits.ts';
 import type { AssetFiles } from '../../assets/assetFiles.ts';
 import { atlasOf, readTiles } from './udim.ts';
@@ -26,6 +26,7 @@ export async function readImage(files: AssetFiles, { asset, anchor }: TextureFil
   }
   const found = await files.findBytes(anchor, asset);
   if (!found) return undefined;
+  // Few scenes have one: code that reads it is loaded when it is met.
   if (hasRadiance(found.bytes)) {
     const { decodeFloatPicture } = await import('../../../image/radiance/floatPicture.ts');
     return { ...decodeFloatPicture(found.bytes, found.id)!, looksLikeColor: true };
@@ -43,6 +44,3 @@ export async function readRadiance(
   const { decodeRadiance } = await import('../../../image/radiance/radiance.ts');
   return decodeRadiance(found.bytes, found.id);
 }
-
-/** Whether it is a picture of radiance, which few scenes have: code that reads them is loaded when one is met. */
-const hasRadiance = (bytes: Uint8Array): boolean => ['Radiance HDR', 'OpenEXR'].includes(imageKind(bytes));
