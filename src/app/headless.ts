@@ -4,6 +4,7 @@ import type { HeadlessPage } from '../pipelines/headlessPage.ts';
 import type { InteractiveRenderer } from '../pipelines/interactiveRenderer.ts';
 import { picturesOf } from '../pipelines/interactiveSession.ts';
 import { pipelineNamed } from '../pipelines/registry.ts';
+import type { DomeMaps } from '../render/lights/sky/domeMaps.ts';
 import { type StoredFile, setFileReader } from '../scene/streaming/storedNumbers.ts';
 import { decodeTransfer } from '../scene/transfer/transferCodec.ts';
 import type { Scene } from '../scene/types.ts';
@@ -38,6 +39,13 @@ window.slowlight = {
     const [scene, ...others] = decodeTransfer(await (await fetch(scenes)).arrayBuffer()) as [Scene, ...Scene[]];
     renderer.setSize(width, height);
     await renderer.setScene(scene, others);
+  },
+
+  async showDome({ index, maps }) {
+    renderer?.showDome?.(
+      decodeTransfer(await (await fetch(maps, { cache: 'no-store' })).arrayBuffer()) as DomeMaps,
+      index,
+    );
   },
 
   async render(request) {

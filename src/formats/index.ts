@@ -8,6 +8,7 @@
 export { readSpectrumCsv } from './attributes/spectrumCsv.ts';
 export { entryOf } from './entry.ts';
 export { type FileSource, memorySource } from './files/fileSource.ts';
+export type { FilmFrame, FilmFrames, OpenFilmFrames } from './film/filmFrames.ts';
 export { type DecodedImage, decodeImage } from './image/decodeImage.ts';
 export { encodePng } from './image/encodePng.ts';
 export { type ExrChannel, type ExrEnvmap, type ExrImage, writeExr } from './image/exr.ts';
@@ -19,13 +20,6 @@ export { formatOf, panoramaFormat, type SceneFormat, sceneFormats } from './regi
 export { saveScene } from './save.ts';
 export { type FileEdit, sphericalMp4Edit, withSphericalMp4 } from './spherical/sphericalMp4.ts';
 export { sphericalOf } from './spherical/sphericalOf.ts';
-export type {
-  CubemapPicture,
-  EquirectangularPicture,
-  SphericalCrop,
-  SphericalPicture,
-  StereoLayout,
-} from './spherical/sphericalPicture.ts';
 export { sphericalExr, withSphericalPng } from './spherical/sphericalPictures.ts';
 export type { ExportedScene } from './write/exportMotion.ts';
 export type { RandomAccessFile } from './zip/directory.ts';

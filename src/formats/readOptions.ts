@@ -1,4 +1,5 @@
 import type { FisheyeLens } from '../scene/view/lenses/fisheyeLens.ts';
+import type { OpenFilmFrames } from './film/filmFrames.ts';
 import type { DecodePicture } from './image/foreignPictures.ts';
 
 /** Between time samples: straight, or along cubics. */
@@ -22,10 +23,12 @@ export interface ReadOptions {
   readonly variantFallbacks?: ReadonlyMap<string, readonly string[]>;
   /** USD: memory for samples of deforming meshes [bytes]; larger ones in crate files are streamed from disk. */
   readonly sampleMemory?: number;
-  /** Pictures of all directions: the fisheye whose picture it is, a circle in its middle. Absent: as the file says, or by its shape. */
+  /** Pictures and films of all directions: the fisheye whose picture it is, a circle in its middle. Absent: as the file says, or by its shape. */
   readonly fisheye?: FisheyeLens;
   /** glTF: decodes WebP and AVIF. Absent: what has no other picture is shown without. */
   readonly decodePicture?: DecodePicture;
+  /** Decodes the frames of films. Absent: films are refused. */
+  readonly openFilm?: OpenFilmFrames;
   /** Called with the fraction of a long cache that is read. */
   readonly progress?: (part: number) => void;
 }

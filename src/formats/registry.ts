@@ -1,5 +1,6 @@
 import type { Scene } from '../scene/types.ts';
 import { extensionOf, type FileSource } from './files/fileSource.ts';
+import { FILM_EXTENSIONS } from './film/filmExtensions.ts';
 import type { ReadOptions } from './readOptions.ts';
 
 /** A scene file format. `read` loads its parser lazily, to keep the page small. */
@@ -60,7 +61,7 @@ export const sceneFormats: readonly SceneFormat[] = [
 ];
 
 /**
- * Pictures of all directions, which are scenes too. Not one of `sceneFormats`, since most pictures among files are textures of a scene beside them.
+ * Pictures and films of all directions, which are scenes too. Not one of `sceneFormats`, since most pictures among files are textures of a scene beside them.
  * @example
  * panoramaFormat.extensions.includes('hdr'); // true
  */
@@ -68,7 +69,7 @@ export const panoramaFormat: SceneFormat = {
   id: 'panorama',
   name: 'Panorama',
   shortName: 'panorama',
-  extensions: ['hdr', 'exr', 'png', 'jpg', 'jpeg', 'webp', 'avif'],
+  extensions: ['hdr', 'exr', 'png', 'jpg', 'jpeg', 'webp', 'avif', ...FILM_EXTENSIONS],
   read: async (source, entry, options) => (await import('./panorama/index.ts')).readPanorama(source, entry, options),
 };
 

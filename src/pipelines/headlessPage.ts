@@ -15,6 +15,8 @@ export interface HeadlessPage {
   /** `pipeline`: the id of one that draws frames. */
   start(pipeline: string): Promise<StartReply>;
   open(request: OpenRequest): Promise<void>;
+  /** Shows another picture of the dome of a scene; `maps`: the address of encoded `DomeMaps`. */
+  showDome(request: { readonly index: number; readonly maps: string }): Promise<void>;
   render(request: PictureRequest): Promise<RenderReply>;
   /** Light meter readings as base64 of little-endian f32. */
   measure(request: Pick<PictureRequest, 'views' | 'settings'>): Promise<Record<keyof LightMeterReadings, string>>;

@@ -1,12 +1,15 @@
 import type { LocalizedText } from '../messages/message.ts';
 import type { RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
+import type { OpenFilmReader } from './filmReader.ts';
 
 /** Services of a pipeline's environment: the page, one of its workers, or Node. */
 export interface PipelineHost {
   /** Opens a GPU for pictures; it may be shared with other renderers. Throws if there is none. */
   openGpu(): Promise<GpuAccess>;
   readonly threads: ThreadHost;
+  /** Opens a film; it is decoded by the environment. */
+  readonly openFilm: OpenFilmReader;
 }
 
 /** A GPU, until `release`. */

@@ -3,8 +3,8 @@ import type { Preview, PreviewRequest } from '../render/previews.ts';
 import type { FrameGraph } from '../scene/frameGraph/frameGraph.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 
-/** Optional methods: without them the page does not refine pictures at rest, compiles shaders while drawing, cannot pick, and has no second picture. */
-type OptionalAbility = 'accumulate' | 'precompile' | 'pick' | 'beside';
+/** Optional methods: without them the page does not refine pictures at rest, compiles shaders while drawing, cannot pick, has no second picture, and films stand still. */
+type OptionalAbility = 'accumulate' | 'precompile' | 'pick' | 'beside' | 'showDome';
 
 /** Draws on a canvas or into memory, synchronously, one frame after another; used by the viewport. */
 export interface InteractiveRenderer

@@ -25,6 +25,9 @@ export async function openOnGpu(
   return {
     info: { pipeline: pipeline.id, backend: renderer.info.backend, adapter: gpu.adapterName },
     ...picturesOf(renderer, gpu),
+    ...(renderer.showDome && {
+      showDome: { needsMaps: true, show: (index, { maps }) => maps && renderer.showDome?.(maps, index) },
+    }),
     close: async () => {
       renderer.dispose();
       gpu.release();

@@ -4,6 +4,7 @@ import type { Backend, RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
+import type { SeenDome } from './filmReader.ts';
 import type { PipelineHost, ThreadPort } from './host.ts';
 import type { InteractiveRenderer } from './interactiveRenderer.ts';
 import type { OptionValues, OptionValuesOf, PipelineOptions } from './options.ts';
@@ -21,10 +22,20 @@ export interface SessionRequest<Options> {
   readonly options: Options;
 }
 
+/** How a session shows what is seen of a film. */
+export interface ShowDome {
+  /** Whether it needs the maps of `SeenDome`. */
+  readonly needsMaps: boolean;
+  /** `scene`: its index among those of the session. */
+  show(scene: number, seen: SeenDome): Promise<void> | void;
+}
+
 /** An open pipeline. */
 export interface PipelineSession extends PictureRenderer {
   /** Pipeline, device and the like, for `--json`. */
   readonly info: { readonly pipeline: string } & Readonly<Record<string, string | number>>;
+  /** Shows another picture of a scene's dome: what is seen of its film. Absent: films stand still. */
+  readonly showDome?: ShowDome;
   /** Rejects the current picture with this error at once. Absent: a session can only end between pictures. */
   stop?(error: Error): void;
   close(): Promise<void>;

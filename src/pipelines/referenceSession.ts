@@ -6,8 +6,9 @@ import { aovsOfFrameGraph, type CapturedBuffers, evaluateFrameGraph } from '../r
 import type { OutputLayer } from '../reference/tileRequest.ts';
 import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts';
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
+import { withDomePicture } from '../scene/film/seenFilm.ts';
 import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
-import type { Scene } from '../scene/types.ts';
+import type { DomePicture, Scene } from '../scene/types.ts';
 import { drawnFrom } from '../scene/view/drawnFrom.ts';
 import { lensDirection } from '../scene/view/lenses/lenses.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
@@ -56,6 +57,7 @@ export function openReferenceSession(
         },
         onProgress,
       ),
+    showDome: { needsMaps: false, show: (scene, { picture }) => pools.showDome(scene, picture) },
     stop: (error) => pools.stop(error),
     close: () => pools.close(),
   };
@@ -72,22 +74,30 @@ export function openTracerPool(scene: Scene, speedOfLight: number, threads: numb
 
 /** Thread pools by scene and speed of light, created lazily. */
 class TracerPools {
-  private readonly scenes: PictureScenes;
+  private readonly scenes: Scene[];
   private readonly threads: number;
   private readonly host: ThreadHost;
   private readonly open = new Map<string, TracerPool>();
 
   constructor(scenes: PictureScenes, threads: number, host: ThreadHost) {
-    this.scenes = scenes;
+    this.scenes = [...scenes];
     this.threads = threads;
     this.host = host;
   }
 
   of(scene: number, c: number): TracerPool {
     const key = `${scene} ${c}`;
-    const pool = this.open.get(key) ?? openTracerPool(this.scenes[scene] ?? this.scenes[0], c, this.threads, this.host);
+    const pool =
+      this.open.get(key) ?? openTracerPool(this.scenes[scene] ?? this.scenes[0]!, c, this.threads, this.host);
     this.open.set(key, pool);
     return pool;
+  }
+
+  /** Those that are open, and those to come. */
+  showDome(scene: number, picture: DomePicture): void {
+    const shared = this.host.share(picture);
+    this.scenes[scene] = withDomePicture(this.scenes[scene]!, shared);
+    for (const [key, pool] of this.open) if (key.startsWith(`${scene} `)) pool.showDome(shared);
   }
 
   stop(error: Error): void {

@@ -1,4 +1,5 @@
 import { msg } from '../messages/message.ts';
+import { withFilms, withoutFilms } from './films.ts';
 import type { PipelineHost } from './host.ts';
 import { openOnGpu } from './interactiveSession.ts';
 import { withDefaults } from './options.ts';
@@ -36,7 +37,9 @@ export async function openSession(
   { options, ...request }: UncheckedRequest,
   host: PipelineHost,
 ): Promise<PipelineSession> {
-  return withViewLimit(pipeline, await openUnlimited(pipeline, { options, ...request }, host));
+  const { scenes } = request;
+  const session = await openUnlimited(pipeline, { options, ...request, scenes: withoutFilms(scenes) }, host);
+  return withViewLimit(pipeline, withFilms(session, scenes, host.openFilm));
 }
 
 async function openUnlimited(

@@ -1,3 +1,4 @@
+import type { DomePicture } from '../scene/types.ts';
 import { channelsOf } from './tile.ts';
 import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';
 import type { TracerMessage, TracerReply } from './tracerServer.ts';
@@ -44,6 +45,11 @@ export class TracerPool {
       );
       thread.send(scene);
     }
+  }
+
+  /** Shows another picture of the scene's dome, from the next picture on. */
+  showDome(picture: DomePicture): void {
+    for (const thread of this.threads) thread.send({ kind: 'dome', picture });
   }
 
   /** Renders a picture; `take` receives its tiles in the order in which they are finished. */

@@ -2,6 +2,7 @@ import type { Scene } from '../scene/types.ts';
 import type { LightMeterReadings } from '../scene/view/metering.ts';
 import type { PictureViews } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
+import type { DomeMaps } from './lights/sky/domeMaps.ts';
 import type { BesideOptions, PickResult, RendererInfo, Sampling } from './settings.ts';
 
 /**
@@ -17,6 +18,8 @@ export interface RasterRenderer {
   readonly height: number;
   /** Uploads a scene and releases the previous one; the scene is not changed and may be shared. `others`: scenes 1, 2 … of a frame graph's extra G-buffers. */
   setScene(scene: Scene, others?: readonly Scene[]): Promise<void>;
+  /** Shows another picture of the dome of a scene (its index; default 0), of the same size, from the next picture on: that of a film. */
+  showDome(maps: DomeMaps, scene?: number): void;
   /** Size of the picture in device pixels. */
   setSize(width: number, height: number): void;
   /**

@@ -19,6 +19,7 @@ import { colorVariantOf } from './color/colorPipelines.ts';
 import { FrameSetup, renderViewOf, spacetimeProjectionOf, type ViewBuffers } from './frameSetup.ts';
 import { type Gpu, openGpu } from './gpu/device.ts';
 import { precompile } from './gpu/precompile.ts';
+import type { DomeMaps } from './lights/sky/domeMaps.ts';
 import { PictureParts } from './pictureParts.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
 import { SceneBufferPool } from './sceneBuffers.ts';
@@ -144,6 +145,10 @@ export class SceneRenderer implements RasterRenderer {
   async setScene(scene: Scene, others: readonly Scene[] = []): Promise<void> {
     this.sceneParts = await loadSceneParts([scene, ...others], this.sceneParts);
     this.uploads.setScenes([scene, ...others]);
+  }
+
+  showDome(maps: DomeMaps, scene = 0): void {
+    this.uploads.showDome(scene, maps);
   }
 
   setSize(width: number, height: number): void {

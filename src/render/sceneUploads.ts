@@ -1,6 +1,7 @@
 import type { FrameGraphBuffer } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
 import { DEFAULT_SETTINGS, extraBuffers, type RenderSettings } from '../scene/view/view.ts';
+import type { DomeMaps } from './lights/sky/domeMaps.ts';
 import type { SceneBufferPool, SceneBuffers } from './sceneBuffers.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 
@@ -17,6 +18,8 @@ export class SceneUploads {
   private readonly makeUpload: MakeUpload;
   private readonly released: (upload: SceneUpload) => void;
   private scenes: readonly Scene[] = [];
+  /** By scene, those that are shown in place of its own. */
+  private readonly domes: (DomeMaps | undefined)[] = [];
   /** By G-buffer. */
   private readonly uploads: SceneUpload[] = [];
 
@@ -44,8 +47,15 @@ export class SceneUploads {
     const [first] = scenes;
     const upload = this.make(first, first.hints.speedOfLight ?? DEFAULT_SETTINGS.speedOfLight);
     this.trim(0);
+    this.domes.length = 0;
     this.scenes = scenes;
     this.uploads.push(upload);
+  }
+
+  /** Shows another picture of the dome of scene `index`. */
+  showDome(index: number, maps: DomeMaps): void {
+    this.domes[index] = maps;
+    for (const { scene, environment } of this.uploads) if (scene === this.scenes[index]) environment.showDome(maps);
   }
 
   /** Whether existing uploads must be replaced for a picture, which takes a while. */
@@ -78,7 +88,10 @@ export class SceneUploads {
   private make(scene: Scene, speedOfLight: number): SceneUpload {
     const buffers = this.pool.acquire(scene, speedOfLight);
     try {
-      return this.makeUpload(buffers);
+      const upload = this.makeUpload(buffers);
+      const maps = this.domes[this.scenes.indexOf(scene)];
+      if (maps) upload.environment.showDome(maps);
+      return upload;
     } catch (error) {
       this.pool.release(buffers);
       throw error;

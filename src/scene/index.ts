@@ -11,6 +11,7 @@ export { objectBounds, sceneBounds } from './bounds/sceneBounds.ts';
 export { type Clock, type ClockCarrier, objectClocks } from './clocks/clock.ts';
 export { type ClockAbsence, type ClockReading, type ClockReadings, readClock } from './clocks/readClock.ts';
 export { FOREVER, IDENTITY_POSE, makeMaterial, makeObject, makeScene, restingAt } from './defaults.ts';
+export type { DomeFilm, FilmLayout, FilmTrack } from './film/film.ts';
 export { type Inspection, inspectEvent } from './inspection/inspectEvent.ts';
 export { type MeasuredLengths, measureLengths } from './inspection/measureLengths.ts';
 export { type SurfaceEvent, surfaceLine } from './inspection/surfaceLine.ts';
@@ -52,6 +53,13 @@ export type { PictureSize } from './view/pictureSize.ts';
 export type { PictureView, PictureViews, PixelRect } from './view/pictureViews.ts';
 export type { VertexProbe } from './view/probe.ts';
 export { probeVertex, probeVertices } from './view/probe.ts';
+export type {
+  CubemapPicture,
+  EquirectangularPicture,
+  SphericalCrop,
+  SphericalPicture,
+  StereoLayout,
+} from './view/sphericalPicture.ts';
 export {
   AOVS,
   type AovInfo,

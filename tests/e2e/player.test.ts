@@ -4,8 +4,8 @@ import { decode } from 'fast-png';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { encodePng } from '../../src/formats/image/encodePng.ts';
-import type { SphericalPicture } from '../../src/formats/spherical/sphericalPicture.ts';
 import { withSphericalPng } from '../../src/formats/spherical/sphericalPictures.ts';
+import type { SphericalPicture } from '../../src/scene/view/sphericalPicture.ts';
 import { Program } from './program.ts';
 
 /** Pictures as a player of 360° pictures of others reads and shows them: Pannellum, in the browser. */

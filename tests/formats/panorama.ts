@@ -3,11 +3,11 @@ import { encodePng } from '../../src/formats/image/encodePng.ts';
 import { writeExr } from '../../src/formats/image/exr.ts';
 import { withPngText } from '../../src/formats/image/pngText.ts';
 import { panoramaXmp } from '../../src/formats/spherical/panorama.ts';
-import type { SphericalPicture } from '../../src/formats/spherical/sphericalPicture.ts';
 import { withSphericalPng } from '../../src/formats/spherical/sphericalPictures.ts';
 import { withPngXmp } from '../../src/formats/spherical/xmpPackets.ts';
 import { isDomeLight } from '../../src/scene/lights/lightKinds.ts';
 import type { Scene } from '../../src/scene/types.ts';
+import type { SphericalPicture } from '../../src/scene/view/sphericalPicture.ts';
 import { approximated, type ClaimGroup, type Files, read, refused } from './claim.ts';
 
 /** Of one grey, or with `noise` of another one at every pixel. */

@@ -12,6 +12,7 @@ import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
 import { decodePicture } from './decodePicture.ts';
 import { openDiskFile, readDiskFile } from './diskFiles.ts';
+import { openFfmpegFrames } from './ffmpegFrames.ts';
 
 /** The files of a folder on disk. `..` and absolute paths are allowed: the user may read those files anyway. */
 export function folderSource(folder: string): FileSource {
@@ -66,7 +67,7 @@ export async function locateScene(path: string): Promise<SceneLocation> {
 
 export async function openSceneFile(path: string, options: ReadOptions = {}): Promise<Scene> {
   const { source, entry } = await locateScene(path);
-  return openScene(source, entry, { decodePicture, ...options });
+  return openScene(source, entry, { decodePicture, openFilm: openFfmpegFrames, ...options });
 }
 
 /** A file on disk that is opened for each read; archives need few. */

@@ -1,10 +1,12 @@
 import { randomUUID } from 'node:crypto';
 import type { Browser, Page } from 'playwright-core';
 import { msg } from '../../messages/message.ts';
+import { withFilms, withoutFilms } from '../../pipelines/films.ts';
 import type { HeadlessPage } from '../../pipelines/headlessPage.ts';
 import { assertPictureSize } from '../../pipelines/maxSize.ts';
 import type { PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
+import type { DomeMaps } from '../../render/lights/sky/domeMaps.ts';
 import { encodeTransfer } from '../../scene/transfer/transferCodec.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
@@ -13,6 +15,7 @@ import { readDiskFile } from '../files/diskFiles.ts';
 import { findChromium } from '../gpu/gpuDrivers.ts';
 import { serveApp } from '../serve/staticServer.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
+import { nodeHost } from './nodeHost.ts';
 
 /** The page's window, for functions that are evaluated in it. */
 type HeadlessWindow = { readonly slowlight: HeadlessPage };
@@ -22,10 +25,12 @@ export async function openInChromium(
   { id }: Pick<Pipeline, 'id'>,
   { scenes, size: { width, height } }: Pick<UncheckedRequest, 'scenes' | 'size'>,
 ): Promise<PipelineSession> {
+  let dome: DomeMaps | undefined;
   // Unguessable for other users of this machine: the second serves the files in which samples were left.
-  const [sent, files] = [`/${randomUUID()}`, `/${randomUUID()}/`];
+  const [sent, domes, files] = [`/${randomUUID()}`, `/${randomUUID()}`, `/${randomUUID()}/`];
   const server = await serveApp(0, async (url) => {
-    if (url === sent) return encodeTransfer(scenes);
+    if (url === sent) return encodeTransfer(withoutFilms(scenes));
+    if (url === domes) return dome && encodeTransfer(dome);
     return url.startsWith(files) ? partOfFile(url.slice(files.length)) : undefined;
   });
   let browser: Browser | undefined;
@@ -47,12 +52,21 @@ export async function openInChromium(
       width,
       height,
     });
-    return {
+    const session: PipelineSession = {
       info: { pipeline: id, backend: 'webgl', adapter: adapterName },
       render: (request) => renderPicture(page, request),
       measureLight: (views, settings) => measureLight(page, views, settings),
+      showDome: {
+        needsMaps: true,
+        show: async (index, { maps }) => {
+          dome = maps;
+          const order = { index, maps: domes };
+          await page.evaluate((request) => (window as unknown as HeadlessWindow).slowlight.showDome(request), order);
+        },
+      },
       close,
     };
+    return withFilms(session, scenes, nodeHost.openFilm);
   } catch (error) {
     await close();
     throw error;

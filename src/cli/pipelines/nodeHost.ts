@@ -1,8 +1,14 @@
 import type { GpuAccess, PipelineHost } from '../../pipelines/host.ts';
+import { makeFilmReader } from '../../pipelines/makeFilmReader.ts';
+import { openFfmpegFrames } from '../files/ffmpegFrames.ts';
 import { nodeThreads } from './nodeThreads.ts';
 
 /** Runs pipelines in this process, on Dawn and in worker threads. */
-export const nodeHost: PipelineHost = { openGpu: openDawn, threads: nodeThreads() };
+export const nodeHost: PipelineHost = {
+  openGpu: openDawn,
+  threads: nodeThreads(),
+  openFilm: (dome, means) => makeFilmReader(dome, means, openFfmpegFrames),
+};
 
 /** Imported lazily: the library is large, and some machines cannot load it. */
 async function openDawn(): Promise<GpuAccess> {

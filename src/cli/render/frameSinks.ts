@@ -1,12 +1,12 @@
 import { extname } from 'node:path';
 import { GifEncoder } from '../../formats/image/gif/encodeGif.ts';
 import { gifProblem } from '../../formats/image/gif/gifLimits.ts';
-import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
 import { anyOf, msg } from '../../messages/message.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import type { PictureFrame } from '../../nodes/pictures/sequence.ts';
 import { sphericalFileOf } from '../../nodes/pictures/sphericalFile.ts';
 import type { Scene } from '../../scene/types.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { checkWritable, OutputFile, writeFileAtomically } from '../files/outputFile.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { RenderFlags } from './renderFlags.ts';

@@ -9,6 +9,7 @@ import { messageOf } from '../../messages/messageError.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
+import { openWebFrames } from '../films/webFrames.ts';
 import { decodePicture } from './browserPictures.ts';
 import { localSource, urlSource } from './fileSources.ts';
 import { loadedScene } from './loadedScene.ts';
@@ -38,7 +39,9 @@ const progress = (part: number): void => reply({ kind: 'progress', stage: 'parse
 
 async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Promise<LoadedScene> {
   const { source, entry } = await sceneIn(sourceOf(request, files), request.entry);
-  return loadedScene(await openScene(source, entry, { ...request.how, progress, decodePicture }));
+  return loadedScene(
+    await openScene(source, entry, { ...request.how, progress, decodePicture, openFilm: openWebFrames }),
+  );
 }
 
 /** The read fraction of a file is known; that of parsing is not. */

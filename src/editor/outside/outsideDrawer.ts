@@ -72,7 +72,7 @@ export class OutsideDrawer {
 
   /** Returns false if parts of the picture are still being loaded. */
   private async draw(
-    { renderer: of, picture }: PreviewContext,
+    { renderer: of, picture, showFilms }: PreviewContext,
     viewPoint: ViewPoint,
     settings: RenderSettings,
     size: PictureSize,
@@ -83,6 +83,7 @@ export class OutsideDrawer {
       await beside.setScene(picture.scene);
       this.scene = picture.scene;
     }
+    showFilms(beside);
     beside.setSize(size.width, size.height);
     for (let busy = beside.precompile([viewPoint], settings); busy; busy = beside.precompile([viewPoint], settings))
       await busy;

@@ -1,5 +1,6 @@
 import type { GpuAccess, PipelineHost } from '../../pipelines/host.ts';
 import type { Backend } from '../../render/settings.ts';
+import { openFilmInWorker } from '../films/openFilmInWorker.ts';
 import { sampleWorker } from '../viewport/rendererWorkers.ts';
 import { workerThreads } from './workerThreads.ts';
 
@@ -7,6 +8,7 @@ import { workerThreads } from './workerThreads.ts';
 export const pageHost = (backend: Backend | 'auto'): PipelineHost => ({
   openGpu: async () => openCanvas(backend),
   threads: workerThreads,
+  openFilm: openFilmInWorker,
 });
 
 function openCanvas(backend: Backend | 'auto'): GpuAccess {

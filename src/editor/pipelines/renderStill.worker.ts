@@ -1,6 +1,7 @@
 import { messageOf } from '../../messages/messageError.ts';
 import { lightOf, type StillOrder, stillRequest } from '../../nodes/still.ts';
 import { openSession, pipelineNamed } from '../../pipelines/registry.ts';
+import { openFilmInWorker } from '../films/openFilmInWorker.ts';
 import type { StillReply } from './protocol.ts';
 import { workerThreads } from './workerThreads.ts';
 
@@ -18,7 +19,8 @@ addEventListener('message', async ({ data }: MessageEvent<StillOrder>) => {
 });
 
 async function drawStill(still: StillOrder): Promise<Float32Array<ArrayBuffer>> {
-  const host = { threads: workerThreads, openGpu: () => Promise.reject(new Error('stills are drawn without a GPU')) };
+  const openGpu = () => Promise.reject(new Error('stills are drawn without a GPU'));
+  const host = { threads: workerThreads, openGpu, openFilm: openFilmInWorker };
   const session = await openSession(pipelineNamed(still.pipeline), stillRequest(still), host);
   let told = 0;
   return lightOf(session, still, (part) => {

@@ -3,7 +3,6 @@ import { partOf } from '../../formats/diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../formats/diagnostics/inputError.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { withSphericalMp4 } from '../../formats/spherical/sphericalMp4.ts';
-import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
@@ -14,6 +13,7 @@ import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import type { ImageOutput, RequestedFile, SceneOutput, VideoOutput } from '../../nodes/project/outputFiles.ts';
 import { interactivePipeline, openSession } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { pageHost } from '../pipelines/pageHost.ts';
 import { MAX_PAGE_BYTES, UnsupportedInPage } from './unsupportedInPage.ts';
 

@@ -4,9 +4,11 @@ import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
 import { interactivePipeline } from '../../pipelines/registry.ts';
 import type { Backend, Sampling } from '../../render/settings.ts';
+import { filmedDome } from '../../scene/film/seenFilm.ts';
 import { contentKey, type FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { ViewportFilms } from '../films/viewportFilms.ts';
 import type { ObserverController } from '../flight/observerController.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import type { Editor, PictureSource } from '../state/editor.ts';
@@ -51,6 +53,8 @@ export interface PreviewContext {
   readonly isStill: boolean;
   /** Whether rendering runs on the CPU, which then has little time for anything else. */
   readonly software: boolean;
+  /** Shows what the viewport shows of films in a renderer beside. */
+  showFilms(renderer: Pick<InteractiveRenderer, 'showDome'>): void;
   /** Exposure for images without a tone curve [EV]. */
   readonly exposure: number;
   /** A frame graph with the exposure of this picture. */
@@ -71,6 +75,8 @@ export class ViewportRenderer {
   private readonly autoExposure = new AutoExposure(prefersReducedMotion());
   /** Loaded with the first false colours. */
   private valuePicker: ValuePicker | undefined;
+  /** Loaded with the first film. */
+  private films: ViewportFilms | undefined;
   private loadingPicker: Promise<void> | undefined;
   /**
    * Samples per pixel side that still pictures accumulate; undefined on software renderers, which do not accumulate.
@@ -149,6 +155,7 @@ export class ViewportRenderer {
   stop(): void {
     cancelAnimationFrame(this.frame);
     this.observer.disconnect();
+    this.films?.close();
     this.renderer.dispose();
   }
 
@@ -176,6 +183,7 @@ export class ViewportRenderer {
       view: this.displayed,
       isStill: this.resolution.isStill,
       software: this.maxSamplesPerSide === undefined,
+      showFilms: (renderer) => this.films?.showIn(renderer),
       exposure: picture.exposure + metered,
       withExposure: (frameGraph) => exposedFrameGraph(frameGraph, metered, (kind) => this.autoExposure.scale(kind)),
     };
@@ -217,7 +225,8 @@ export class ViewportRenderer {
   private accumulate(): void {
     if (!this.displayed || this.uploading || this.compiling || this.isWaiting) return;
     const goesOn = this.maxSamplesPerSide !== undefined && this.renderer.accumulate?.(this.maxSamplesPerSide) === true;
-    this.canvas.toggleAttribute('data-finest', !goesOn && this.autoExposure.isSettled);
+    const isSettled = this.autoExposure.isSettled && (this.films?.isSettled ?? true);
+    this.canvas.toggleAttribute('data-finest', !goesOn && isSettled);
   }
 
   /** Picks the value for the legend. */
@@ -259,6 +268,7 @@ export class ViewportRenderer {
     this.samplesLost = false;
     try {
       await this.renderer.setScene(picture.scene, picture.scenes.slice(1));
+      await this.openFilms(picture.scenes);
       this.displayed = undefined;
       this.requestedView = undefined;
       this.isGrowing = this.observerController.computedUntil !== undefined && this.observerController.isShowing(opened);
@@ -270,6 +280,15 @@ export class ViewportRenderer {
     } finally {
       this.uploading = false;
     }
+  }
+
+  private async openFilms(scenes: readonly Scene[]): Promise<void> {
+    if (!this.films && !scenes.some(filmedDome)) return;
+    this.films ??= new (await import('../films/viewportFilms.ts')).ViewportFilms(this.renderer, {
+      onPicture: () => this.requestDraw(),
+      onError: (error) => this.editor.notify({ kind: 'error', text: messageOf(error) }),
+    });
+    this.films.setScenes(scenes);
   }
 
   private isPrepared({ viewPoint, settings, sampling }: DisplayedFrame): boolean {
@@ -305,6 +324,8 @@ export class ViewportRenderer {
     const wanted = renderSettings(picture, this.autoExposure.exposure(picture), (kind) =>
       this.autoExposure.scale(kind),
     );
+    const { t, position } = viewPoint;
+    this.films?.follow({ t, position, speedOfLight: wanted.speedOfLight });
     const before = this.requestedView;
     // Metering follows the picture: that it adapts is no change of what is asked for.
     const asked = { viewPoint, settings: renderSettings(picture, 0) };

@@ -33,6 +33,11 @@ export const DIAGNOSTIC_CODES = {
   'panorama.edges': 'a picture of 3:2 whose parts do not fit together as faces of a cube',
   'panorama.stereo': 'a panorama with a picture for each eye',
   'panorama.part': 'a panorama that shows a part of all directions',
+  'film.unreadable': 'a film in a container that is not read',
+  'film.empty': 'a film without pictures',
+  'film.long': 'a film of too many frames',
+  'film.hdr': 'a film of high dynamic range',
+  'film.undecodable': 'a film of which a frame cannot be decoded',
   'panorama.mark': 'a picture that says of itself how it covers the sphere in a way that is not read',
 
   'zip.damaged': 'an archive that is damaged or truncated',

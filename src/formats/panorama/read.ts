@@ -1,19 +1,24 @@
 import { fromAxisAngle } from '../../math/quat.ts';
 import { listed, msg } from '../../messages/message.ts';
 import { makeScene, restingAt } from '../../scene/defaults.ts';
+import { filmTimeOf } from '../../scene/film/seenFilm.ts';
 import type { DomeLight, Scene, SceneCamera } from '../../scene/types.ts';
 import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
-import { type FileSource, stemOf } from '../files/fileSource.ts';
+import { extensionOf, type FileSource, stemOf } from '../files/fileSource.ts';
+import { FILM_EXTENSIONS } from '../film/filmExtensions.ts';
+import type { PanoramicFilm } from '../film/readFilm.ts';
 import { decodeImage } from '../image/decodeImage.ts';
 import { decodeForeign, foreignKind } from '../image/foreignPictures.ts';
 import { decodeRadiance } from '../image/radiance/radiance.ts';
 import { UniquePrimPaths } from '../read/primPaths.ts';
 import type { ReadOptions } from '../readOptions.ts';
+import { memoryFile } from '../zip/zipSource.ts';
 import { faceFiles } from './faceFiles.ts';
-import { type CubeFaces, facesIn, type PanoramaPicture } from './faces.ts';
-import { edgesMeet, unfoldedCube, unfoldedFisheye } from './unfold.ts';
-import { coverageOf, fisheyeOf, wholeSphere } from './wholeSphere.ts';
+import type { CubeFaces, PanoramaPicture } from './faces.ts';
+import { unfoldedCube } from './unfold.ts';
+import { unfoldedPicture } from './unfoldPicture.ts';
+import { coverageOf, fisheyeOf } from './wholeSphere.ts';
 
 /** The middle of the picture, which is towards +Z of a dome, is where a camera looks at first: towards −Z. */
 const AHEAD = fromAxisAngle([0, 1, 0], Math.PI);
@@ -21,23 +26,26 @@ const AHEAD = fromAxisAngle([0, 1, 0], Math.PI);
 /** Vertical field of view of the scene's camera [rad]. */
 const FIELD_OF_VIEW = 1.3;
 
-/** How far twice the height may be from the width of a picture by latitude and longitude, as a fraction of it. */
-const ASPECT_TOLERANCE = 0.01;
-
 /**
- * Reads a picture of all directions as surroundings at infinity, with a camera in their middle. Throws an InputError that names the file, and what it is instead, where it is none.
+ * Reads a picture or a film of all directions as surroundings at infinity, with a camera in their middle. Throws an InputError that names the file, and what it is instead, where it is none.
  */
 export async function readPanorama(source: FileSource, entry: string, options: ReadOptions): Promise<Scene> {
   const notes = new DiagnosticLog(entry);
-  const picture = await panoramaOf(source, entry, options, notes);
+  const { picture, film, ...rate }: Pick<PanoramicFilm, 'picture'> & Partial<PanoramicFilm> = FILM_EXTENSIONS.includes(
+    extensionOf(entry),
+  )
+    ? await (await import('../film/readFilm.ts')).readFilm(source, entry, options, notes)
+    : { picture: await panoramaOf(source, entry, options, notes) };
   const paths = new UniquePrimPaths();
   const texture = { name: entry, ...picture, filter: 'linear', wrapS: 'repeat', wrapT: 'clamp' } as const;
   const dome: DomeLight = {
     ...{ kind: 'dome', path: paths.of('', stemOf(entry)), color: [1, 1, 1], orientation: AHEAD },
     texture: texture as NonNullable<DomeLight['texture']>,
+    ...(film && { film }),
   };
   const camera: SceneCamera = { path: paths.of('', 'Camera'), motion: restingAt([0, 0, 0]), fovY: FIELD_OF_VIEW };
-  return makeScene({ name: stemOf(entry), objects: [], lights: [dome], cameras: [camera], diagnostics: notes.list() });
+  const scene = { name: stemOf(entry), objects: [], lights: [dome], cameras: [camera], diagnostics: notes.list() };
+  return makeScene({ ...scene, ...rate, ...filmTimeOf(scene) });
 }
 
 async function panoramaOf(
@@ -49,22 +57,14 @@ async function panoramaOf(
   const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   const decoded = await decodePicture(bytes, entry, options);
-  const coverage = await coverageOf(bytes, entry, notes);
+  const coverage = await coverageOf(memoryFile(bytes), entry, notes);
   const lens = options.fisheye ?? fisheyeOf(bytes, entry);
-  if (lens) return unfoldedFisheye(decoded, lens);
-  const picture = coverage ? wholeSphere(decoded, coverage, entry, notes) : decoded;
-  const { width, height } = picture;
-  if (Math.abs(width - 2 * height) <= ASPECT_TOLERANCE * width) return picture;
-  const faces = facesIn(picture);
-  if (faces) {
-    if (width * 2 === height * 3 && !edgesMeet(faces)) {
-      const message = msg`it is taken for a grid of 3 × 2 faces of a cube, by its aspect ratio, but their edges do not meet: if it is a photograph, it is no panorama`;
-      notes.add('warning', 'panorama.edges', '', message);
-    }
-    return unfoldedCube(faces);
-  }
+  const layout = { ...(lens && { fisheye: lens }), ...(coverage && { coverage }) };
+  const unfolded = unfoldedPicture(decoded, layout, entry, notes);
+  if (unfolded) return unfolded;
+  const { width, height } = decoded;
   const others = width === height ? faceFiles(entry) : [];
-  if (others.length > 0) return unfoldedCube(await facesInFiles(source, entry, others, picture, options));
+  if (others.length > 0) return unfoldedCube(await facesInFiles(source, entry, others, decoded, options));
   const size = msg`the picture is ${width} × ${height} pixels, and no panorama`;
   const forms = msg`one is twice as wide as high, or has six square faces: in a strip (6:1 or 1:6), a grid (3:2) or a cross (4:3 or 3:4, with empty corners), or in six files such as px.png, nx.png, py.png, ny.png, pz.png, nz.png`;
   throw inputError('panorama.size', entry, msg`${size}; ${forms}`);

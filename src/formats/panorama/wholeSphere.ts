@@ -3,24 +3,25 @@ import { MessageError, messageOf } from '../../messages/messageError.ts';
 import type { FisheyeLens } from '../../scene/view/lenses/fisheyeLens.ts';
 import { fisheyeOfMetadata } from '../../scene/view/pictureMetadata.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import { imageKind, MAX_PIXELS } from '../image/decodeImage.ts';
 import { pngTexts } from '../image/pngText.ts';
 import { readExrHeader } from '../image/readExr.ts';
 import { sphericalOf } from '../spherical/sphericalOf.ts';
-import { croppedArea, eyeSize, type SphericalPicture } from '../spherical/sphericalPicture.ts';
-import { memoryFile } from '../zip/zipSource.ts';
+import { croppedArea, eyeSize } from '../spherical/sphericalPicture.ts';
+import type { RandomAccessFile } from '../zip/directory.ts';
 import type { PanoramaPicture } from './faces.ts';
 
-/** What a picture's file says of how it covers the sphere; undefined where it says nothing, or what cannot be read, which is noted: its shape tells most. */
+/** What the file of a picture or a film says of how it covers the sphere; undefined where it says nothing, or what cannot be read, which is noted: its shape tells most. */
 export async function coverageOf(
-  bytes: Uint8Array,
+  file: RandomAccessFile,
   name: string,
   notes: DiagnosticLog,
 ): Promise<SphericalPicture | undefined> {
   try {
-    return await sphericalOf(memoryFile(bytes), name);
+    return await sphericalOf(file, name);
   } catch (error) {
     if (!(error instanceof MessageError)) throw error;
     notes.add('warning', 'panorama.mark', '', messageOf(error));

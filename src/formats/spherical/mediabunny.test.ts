@@ -1,10 +1,10 @@
 import { BufferSource, EncodedPacketSink, Input, MP4 } from 'mediabunny';
 import { describe, expect, it } from 'vitest';
 import { type EncodedFrame, Mp4File } from '../../editor/saving/mp4File.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { memoryFile } from '../zip/zipSource.ts';
 import { sphericalMp4Edit, withSphericalMp4 } from './sphericalMp4.ts';
 import { sphericalOf } from './sphericalOf.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 
 /** Films of the page, marked, and read back by the library that made them. */
 

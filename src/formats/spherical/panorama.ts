@@ -1,15 +1,13 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
-import {
-  cropOfArea,
-  croppedArea,
-  type EquirectangularPicture,
-  eyeSize,
-  type SphericalCrop,
-  type SphericalPicture,
-  type StereoLayout,
-} from './sphericalPicture.ts';
+import type {
+  EquirectangularPicture,
+  SphericalCrop,
+  SphericalPicture,
+  StereoLayout,
+} from '../../scene/view/sphericalPicture.ts';
+import { cropOfArea, croppedArea, eyeSize } from './sphericalPicture.ts';
 import { xmlValues } from './xmlValues.ts';
 
 /** The program that made the picture, as files name it. */

@@ -3,12 +3,12 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { writeExr } from '../image/exr.ts';
 import { readExr } from '../image/readExr.ts';
 import { memoryFile } from '../zip/zipSource.ts';
 import { withSphericalMp4 } from './sphericalMp4.ts';
 import { sphericalOf } from './sphericalOf.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 import { sphericalExr } from './sphericalPictures.ts';
 
 /** Films of ffmpeg, marked, and read back by it; and EXRs, read and made by OpenEXR (PyPI). */

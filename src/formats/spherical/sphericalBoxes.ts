@@ -1,18 +1,11 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { SphericalCrop, SphericalPicture, StereoLayout } from '../../scene/view/sphericalPicture.ts';
 import { joinedBytes } from '../files/joinedBytes.ts';
 import { contentsAt, mp4Box, readMp4Boxes } from './mp4Boxes.ts';
 import { areaProperties, cropOfValues, MADE_BY, stereoOf, unknownProjection, unknownStereo } from './panorama.ts';
-import {
-  checkedCrop,
-  eyeSize,
-  type SphericalCrop,
-  type SphericalPicture,
-  type StereoLayout,
-  UNCROPPED,
-  unlessWhole,
-} from './sphericalPicture.ts';
+import { checkedCrop, eyeSize, UNCROPPED, unlessWhole } from './sphericalPicture.ts';
 import { xmlValues } from './xmlValues.ts';
 
 /** Of `st3d`, by their number. */

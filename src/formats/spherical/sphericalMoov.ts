@@ -1,10 +1,10 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { joinedBytes } from '../files/joinedBytes.ts';
 import { changedAt, contentsAt, type Mp4Box, readMp4Boxes, writeMp4Boxes } from './mp4Boxes.ts';
 import { isSphericalV1, sphericalOfV1, sphericalOfV2, sphericalV1, sphericalV2 } from './sphericalBoxes.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 
 const SAMPLE_DESCRIPTION = ['mdia', 'minf', 'stbl', 'stsd'];
 /** Bytes before the entries of `stsd`, before the boxes of a visual sample entry, and before the sizes in it (ISO/IEC 14496-12, 8.5.2 and 12.1.3). */

@@ -15,10 +15,10 @@ import {
   wideBox,
 } from '../../../tests/support/mp4Kit.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { memoryFile } from '../zip/zipSource.ts';
 import { sphericalMp4Edit, withSphericalMp4 } from './sphericalMp4.ts';
 import { sphericalOf } from './sphericalOf.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 
 const FULL: SphericalPicture = { projection: 'equirectangular', stereo: 'none' };
 /** Exact in 32 bits. */

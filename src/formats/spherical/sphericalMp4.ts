@@ -1,5 +1,6 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { formatBytes } from '../diagnostics/inputError.ts';
 import { joinedBytes } from '../files/joinedBytes.ts';
 import type { RandomAccessFile } from '../zip/directory.ts';
@@ -8,7 +9,6 @@ import { checkChunks, uncorrected, withMovedChunks } from './chunkOffsets.ts';
 import { inFile } from './inFile.ts';
 import { type Mp4Header, mp4Box, mp4Header, readMp4Header } from './mp4Boxes.ts';
 import { sphericalOfMoov, withSphericalBoxes } from './sphericalMoov.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 
 /** One change of a file: `removed` bytes from `at` give way to `bytes`, and what follows stays as it is. */
 export interface FileEdit {

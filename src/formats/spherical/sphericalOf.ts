@@ -1,12 +1,12 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { formatBytes } from '../diagnostics/inputError.ts';
 import { imageKind } from '../image/decodeImage.ts';
 import type { RandomAccessFile } from '../zip/directory.ts';
 import { inFile } from './inFile.ts';
 import { panoramaOfXmp } from './panorama.ts';
 import { sphericalOfMp4 } from './sphericalMp4.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 import { sphericalOfExr } from './sphericalPictures.ts';
 import { jpegXmp, pngXmp } from './xmpPackets.ts';
 

@@ -5,6 +5,7 @@ import { encode as encodeJpeg } from 'jpeg-js';
 import { describe, expect, it } from 'vitest';
 import { concat } from '../../../tests/support/mp4Kit.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { encodePng } from '../image/encodePng.ts';
 import { type ExrImage, writeExr } from '../image/exr.ts';
 import { pngChunk, pngChunks, withPngChunks } from '../image/pngChunks.ts';
@@ -12,7 +13,6 @@ import { withPngText } from '../image/pngText.ts';
 import { readExr } from '../image/readExr.ts';
 import { memoryFile } from '../zip/zipSource.ts';
 import { sphericalOf } from './sphericalOf.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 import { sphericalExr, withSphericalPng } from './sphericalPictures.ts';
 
 const FULL: SphericalPicture = { projection: 'equirectangular', stereo: 'none' };

@@ -1,11 +1,11 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { imageKind } from '../image/decodeImage.ts';
 import type { ExrImage } from '../image/exr.ts';
 import { readExrHeader } from '../image/readExr.ts';
 import { panoramaOfXmp, panoramaXmp } from './panorama.ts';
-import type { SphericalPicture } from './sphericalPicture.ts';
 import { withPngXmp } from './xmpPackets.ts';
 
 /** Of the width and height in a PNG's header [bytes]. */

@@ -13,18 +13,18 @@ import { emissionParam, lightBase, nameParam } from './lightParams.ts';
 /** Turns the zenith of a panorama, +Y, to +Z, and what is ahead of it from −Z to +Y. */
 const Z_UP = fromAxisAngle([1, 0, 0], Math.PI / 2);
 
-/** A picture of all directions as surroundings at infinity. */
+/** A picture or a film of all directions as surroundings at infinity. */
 export const panoramaNode = defineNode({
   id: 'panorama',
   title: msg`Panorama`,
-  help: msg`A picture of all directions as surroundings at infinity, which also shine on things: by latitude and longitude, or six faces of a cube. It replaces the sky of the files in Scene.`,
+  help: msg`A picture or a film of all directions as surroundings at infinity, which also shine on things: by latitude and longitude, or six faces of a cube. It replaces the sky of the files in Scene.`,
   category: 'composition',
   params: {
     name: nameParam('Panorama'),
     source: {
       kind: 'text',
       title: msg`File`,
-      help: msg`A picture twice as wide as high, or of six square faces: PNG, JPEG, WebP, AVIF, Radiance (.hdr) or OpenEXR. Of a scene its dome is taken.`,
+      help: msg`A picture twice as wide as high, or of six square faces: PNG, JPEG, WebP, AVIF, Radiance (.hdr) or OpenEXR, or such a film: MP4, QuickTime, WebM or Matroska. Of a scene its dome is taken.`,
       default: '',
       file: true,
     },
@@ -90,13 +90,34 @@ export const panoramaNode = defineNode({
         { value: 'filter', title: msg`A filter before a light` },
       ],
     },
+    filmStart: {
+      kind: 'number',
+      title: msg`Film starts at`,
+      help: msg`World time at which the first picture of a film is in the origin.`,
+      unit: 's',
+      default: 0,
+      min: -1e6,
+      max: 1e6,
+      step: 0.1,
+      slider: false,
+    },
+    filmEnd: {
+      kind: 'choice',
+      title: msg`Before and after it`,
+      help: msg`What is seen of a film before it starts and after it ends.`,
+      default: 'hold',
+      options: [
+        { value: 'hold', title: msg`Its first and last picture` },
+        { value: 'repeat', title: msg`It repeats` },
+      ],
+    },
     madeOf: { ...emissionParam, onlyWhen: { param: 'reading', is: 'filter' } },
   },
   inputs: { spectrum: { type: 'spectrum', optional: true } },
   outputs: { lights: { type: 'lights' } },
   async evaluate(
     { spectrum },
-    { name, source, lens, aperture, domeTilt, rotation, tilt, up, brightness, reading, madeOf },
+    { name, source, lens, aperture, domeTilt, rotation, tilt, up, brightness, reading, filmStart, filmEnd, madeOf },
     { node, services, signal, progress },
   ) {
     if (source === '') throw nodeRefusal('panorama.none', node, msg`no picture is chosen; name one`);
@@ -113,6 +134,7 @@ export const panoramaNode = defineNode({
           ...dome,
           path,
           color: scale(dome.color, brightness),
+          ...(dome.film && { film: { ...dome.film, start: filmStart, repeats: filmEnd === 'repeat' } }),
           orientation: multiply(turned(rotation, tilt, up), dome.orientation ?? IDENTITY),
           ...(isFilter && { spectrum: light.spectrum ?? DAYLIGHT }),
         },

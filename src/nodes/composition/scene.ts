@@ -1,6 +1,7 @@
 import { msg } from '../../messages/message.ts';
 import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
 import { makeScene } from '../../scene/defaults.ts';
+import { filmTimeOf } from '../../scene/film/seenFilm.ts';
 import { isDomeLight } from '../../scene/lights/lightKinds.ts';
 import type { Light, Scene } from '../../scene/types.ts';
 import { framingCamera } from '../../scene/view/camera.ts';
@@ -38,7 +39,8 @@ export const sceneNode = defineNode({
   },
 });
 
-const lightScene = (lights: readonly Light[]): Scene => makeScene({ name: 'lights', lights });
+const lightScene = (lights: readonly Light[]): Scene =>
+  makeScene({ name: 'lights', lights, ...filmTimeOf({ lights }) });
 
 /** A sky that is connected is seen in place of those of files. */
 const withoutDomes = (scene: Scene): Scene => ({

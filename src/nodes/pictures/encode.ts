@@ -1,13 +1,13 @@
 import { encodePng } from '../../formats/image/encodePng.ts';
 import { type ExrChannel, writeExr } from '../../formats/image/exr.ts';
 import { withPngText } from '../../formats/image/pngText.ts';
-import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
 import { sphericalExr, withSphericalPng } from '../../formats/spherical/sphericalPictures.ts';
 import type { AovValues, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { Scene } from '../../scene/types.ts';
 import { observerMetadata, pictureMetadata } from '../../scene/view/pictureMetadata.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { AOVS, type AovName, type RenderSettings } from '../../scene/view/view.ts';
 
 import { sphericalFileOf } from './sphericalFile.ts';

@@ -1,7 +1,7 @@
-import type { SphericalPicture } from '../../formats/spherical/sphericalPicture.ts';
 import { fillsPicture } from '../../scene/view/lenses/lensChoice.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
+import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 
 /** What a file of a picture says about the sphere of directions, so that 360° players recognise it; undefined where there is no mark for its lens, or it has a legend beside it. */
 export function sphericalFileOf(views: PictureViews, size: PictureSize): SphericalPicture | undefined {

@@ -16,6 +16,7 @@ import type { LitSurface } from './kinds/litSurface.ts';
 import { CosmicBackground } from './kinds/nightSky.ts';
 import type { LightReach, LightSet, SkyPixel } from './lightSet.ts';
 import { LightTable } from './lightTable.ts';
+import type { DomeMaps } from './sky/domeMaps.ts';
 import type { DomeTexture } from './sky/domeTexture.ts';
 
 /** All light sources of a scene. */
@@ -51,6 +52,11 @@ export class Environment {
   /** Once per picture; places are relative to the observer's event. */
   update(observation: Observation, colors: ColorMode): void {
     for (const lights of Object.values(this.sets)) lights.update(observation, colors);
+  }
+
+  /** Shows another picture of the scene's dome, of the same size. */
+  showDome(maps: DomeMaps): void {
+    this.sky.show(maps);
   }
 
   /** Adds what a surface reflects of all lights. */

@@ -1,6 +1,7 @@
 import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { LightSpectrum, ThermalSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
+import type { DomeFilm } from '../film/film.ts';
 import type { RadianceTexture, Texture } from '../materials/texture.ts';
 import type { Lifetime, RigidMotion } from '../motion/motionTypes.ts';
 import type { Stars } from '../stars/brightStars.ts';
@@ -87,6 +88,9 @@ export interface LightShaping {
   /** Exponent of cos θ. */
   readonly focus: number;
 }
+/** A picture of a dome. */
+export type DomePicture = Texture | RadianceTexture;
+
 /** The light of the sky, from all directions. */
 export interface DomeLight {
   readonly kind: 'dome';
@@ -104,7 +108,9 @@ export interface DomeLight {
   /** Colours at the horizon and below; `color` is that of the zenith. Without gradient and texture the dome is uniform. */
   readonly gradient?: SkyGradient;
   /** Latitude–longitude map of all directions (latLong.ts). */
-  readonly texture?: Texture | RadianceTexture;
+  readonly texture?: DomePicture;
+  /** A film of which `texture` is a frame. */
+  readonly film?: DomeFilm;
   /** Texture axes → world axes; identity if absent. */
   readonly orientation?: Quat;
 }

@@ -42,14 +42,15 @@ const retimeObject = (object: SceneObject, map: LinearTimeMap): SceneObject => (
   lifetime: retimeLifetime(object.lifetime, map),
 });
 
-const retimeLight = (light: Light, map: LinearTimeMap): Light =>
-  'motion' in light
-    ? {
-        ...light,
-        motion: motionKind(light.motion).retime(light.motion, map),
-        lifetime: retimeLifetime(light.lifetime, map),
-      }
-    : light;
+function retimeLight(light: Light, map: LinearTimeMap): Light {
+  if ('film' in light && light.film) {
+    const { start, speed } = light.film;
+    return { ...light, film: { ...light.film, start: toWorldTime(start, map), speed: speed / map.a } };
+  }
+  if (!('motion' in light)) return light;
+  const motion = motionKind(light.motion).retime(light.motion, map);
+  return { ...light, motion, lifetime: retimeLifetime(light.lifetime, map) };
+}
 
 const retimeCamera = (camera: SceneCamera, map: LinearTimeMap): SceneCamera => ({
   ...camera,

@@ -46,7 +46,7 @@ const ATLAS_WIDTH = 512;
  */
 export class HalfAtlas {
   private readonly shelves: Shelf[] = [];
-  private readonly tables = new Map<string, HalfTable>();
+  private readonly tables = new Map<string, HalfTable & { readonly place: AtlasRegion }>();
   private texture = makeTexture(new Uint16Array(4 * ATLAS_WIDTH), 1);
   private readonly node: TextureNode<'vec4'> = texture(this.texture);
   /** 1/(width, height) */
@@ -59,18 +59,29 @@ export class HalfAtlas {
     return table;
   }
 
+  /** Gives a table other texels, as many as it has; nothing if there is no such table. */
+  replace(name: string, texels: HalfTexels): void {
+    const table = this.tables.get(name);
+    if (table) this.write(table.place, texels);
+  }
+
   dispose(): void {
     this.texture.dispose();
   }
 
-  private add({ data, width }: HalfTexels): HalfTable {
+  private add(texels: HalfTexels): HalfTable & { readonly place: AtlasRegion } {
+    const { data, width } = texels;
+    const place = this.reserve(width, data.length / (4 * width));
+    this.write(place, texels);
+    return { ...this.reader(place, width), place };
+  }
+
+  private write(place: AtlasRegion, { data, width }: HalfTexels): void {
     const height = data.length / (4 * width);
-    const place = this.reserve(width, height);
     const all = this.texture.image.data as Uint16Array;
     for (let row = 0; row < height; row++)
       all.set(data.subarray(4 * width * row, 4 * width * (row + 1)), 4 * (ATLAS_WIDTH * (place.y + row) + place.x));
     this.texture.needsUpdate = true;
-    return this.reader(place, width);
   }
 
   private reader({ x: left, y: top }: AtlasRegion, width: number): HalfTable {

@@ -21,6 +21,7 @@ import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { loopTimes } from '../../shadows/atlas/atlasLookups.ts';
 import type { LightSet, SkyPixel } from '../lightSet.ts';
 import { incidentSpectrumBetween, type RestFrameMotion, WORLD_FRAME } from '../restFrame.ts';
+import type { DomeMaps } from '../sky/domeMaps.ts';
 import type { DomeTexture } from '../sky/domeTexture.ts';
 import { type LobeCone, type SkyMeans, skyLobe } from '../sky/skyLobe.ts';
 import { GRADIENT_HEIGHTS, gradientMeans, MEAN_RAPIDITIES } from '../sky/skyMeans.ts';
@@ -221,6 +222,11 @@ export class DomeSky implements LightSet {
       .sub(up.mul(height))
       .div(max(sqrt(height.mul(height).oneMinus()), 1e-4));
     return { mean: moment(0), along: moment(1).mul(up).add(moment(2).mul(across)), even: () => moment(3) };
+  }
+
+  /** Shows another picture of the same size. */
+  show(maps: DomeMaps): void {
+    this.texture?.show(maps);
   }
 
   update(_observation: Observation, mode: ColorMode): void {

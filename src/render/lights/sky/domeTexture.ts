@@ -15,39 +15,52 @@ import {
   vec2,
 } from 'three/tsl';
 import { type DataTexture, type Node, Vector3 } from 'three/webgpu';
-import { toHalf } from '../../../math/half.ts';
 import { domeAxes } from '../../../scene/lights/latLong.ts';
-import type { DomeLight } from '../../../scene/types.ts';
-import type { HalfAtlas, HalfTable, HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
+import type { DomeLight, Texture } from '../../../scene/types.ts';
+import type { HalfAtlas, HalfTable } from '../../../shaders/tables/halfAtlas.ts';
 import type { Float, Vec2, Vec3 } from '../../../shaders/types.ts';
 import { uploadTexture } from '../../gpu/textures.ts';
-import { domeMipmaps } from './domeMipmaps.ts';
+import { BORDER, type DomeMaps, domeMaps } from './domeMaps.ts';
 import { MEAN_SIZE, pictureMeans } from './pictureMeans.ts';
-import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
+import { PREFILTER_SIZE, SPECULAR_LOBES } from './prefilteredDome.ts';
 import type { SkyMeans } from './skyLobe.ts';
 import { MEAN_RAPIDITIES } from './skyMeans.ts';
+
+/** Names of tables in the atlas. */
+const [LOBES, MEANS] = ['dome', 'dome means'];
 
 /** A dome's texture on the GPU, with its prefiltered maps for diffuse and glossy surfaces. */
 export class DomeTexture {
   private readonly image: DataTexture;
   private readonly maps: HalfTable;
   private readonly means: () => HalfTable;
-  private readonly layers: number;
+  private readonly atlas: HalfAtlas;
+  private shown: DomeMaps;
   private readonly tint: Node<'vec3'>;
   private readonly axes: readonly Node<'vec3'>[];
 
   /** `tint`: factor of its colours. */
   constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3, atlas: HalfAtlas) {
     this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' }, false);
-    this.image.mipmaps = [...domeMipmaps(picture)];
     this.image.generateMipmaps = false;
-    const maps = prefilterDome(picture);
-    this.layers = maps.length;
-    this.maps = atlas.table('dome', () => stacked(maps));
+    this.shown = domeMaps(picture, 'none');
+    this.image.mipmaps = [...this.shown.levels];
+    this.atlas = atlas;
+    this.maps = atlas.table(LOBES, () => this.shown.lobes);
     // Only what moves needs it.
-    this.means = () => atlas.table('dome means', () => pictureMeans(picture));
+    this.means = () =>
+      atlas.table(MEANS, () => this.shown.means ?? pictureMeans({ ...picture, ...this.shown.levels[0] } as Texture));
     this.tint = tint;
     this.axes = domeAxes(dome).map((axis) => uniform(new Vector3(...axis)));
+  }
+
+  /** Shows another picture of the same size. */
+  show(maps: DomeMaps): void {
+    this.shown = maps;
+    this.image.mipmaps = [...maps.levels];
+    this.image.needsUpdate = true;
+    this.atlas.replace(LOBES, maps.lobes);
+    if (maps.means) this.atlas.replace(MEANS, maps.means);
   }
 
   /** Mean radiance from the direction n of the world, within an angle [rad]. */
@@ -82,7 +95,7 @@ export class DomeTexture {
 
   /** Irradiance/π on a surface with the normal n. */
   irradiance(n: Vec3): Vec3 {
-    return this.sampleMap(this.place(n), float(this.layers - 1)).mul(this.tint);
+    return this.sampleMap(this.place(n), float(SPECULAR_LOBES.length)).mul(this.tint);
   }
 
   /** Prefiltered radiance around n for a surface of the given roughness. */
@@ -123,24 +136,3 @@ export class DomeTexture {
     return this.maps.sampleLinear(x, y.add(layer.mul(PREFILTER_SIZE.height + 2 * BORDER))).xyz;
   }
 }
-
-/** Width of the wrapped border of a map [px]. */
-const BORDER = 1;
-
-/** Panoramas one below the other, with their borders. */
-function stacked(maps: readonly Panorama[]): HalfTexels {
-  const [width, height] = [PREFILTER_SIZE.width + 2 * BORDER, PREFILTER_SIZE.height + 2 * BORDER];
-  const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
-  maps.forEach((map, layer) => {
-    for (let y = 0; y < height; y++)
-      for (let x = 0; x < width; x++) {
-        const from = pixelOffset(map, y - BORDER, x - BORDER);
-        const to = 4 * ((layer * height + y) * width + x);
-        for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(map.rgb[from + k], MAX_HALF));
-      }
-  });
-  return { data, width };
-}
-
-/** The largest finite half-precision number. */
-const MAX_HALF = 65504;

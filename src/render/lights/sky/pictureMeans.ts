@@ -1,6 +1,7 @@
 import { toHalf } from '../../../math/half.ts';
 import { directionFromLatLong } from '../../../scene/lights/latLong.ts';
 import type { DomeLight } from '../../../scene/types.ts';
+import type { PictureSize } from '../../../scene/view/pictureSize.ts';
 import type { HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, reducedDome, resize } from './prefilteredDome.ts';
 import { coneCosine, MEAN_RAPIDITIES } from './skyMeans.ts';
@@ -11,24 +12,30 @@ export const MEAN_SIZE = { width: 64, height: 32 } as const;
 const MOMENTS = 4;
 const PANORAMAS = MOMENTS + 1;
 
-/** The means of a dome's picture: those of a rapidity side by side, each with a wrapped border of one pixel, one rapidity below the other. */
-export function pictureMeans(picture: NonNullable<DomeLight['texture']>): HalfTexels {
-  const moments = withMoments(reducedDome(picture, PREFILTER_SIZE));
+/** The means of a dome's picture, taken of `source` pixels of it: those of a rapidity side by side, each with a wrapped border of one pixel, one rapidity below the other. */
+export function pictureMeans(
+  picture: NonNullable<DomeLight['texture']>,
+  source: PictureSize = PREFILTER_SIZE,
+): HalfTexels {
+  const moments = withMoments(reducedDome(picture, source));
   const [columns, rows] = [MEAN_SIZE.width + 2, MEAN_SIZE.height + 2];
   const width = PANORAMAS * columns;
   const data = new Uint16Array(4 * width * rows * MEAN_RAPIDITIES.count);
   for (let level = 0; level < MEAN_RAPIDITIES.count; level++) {
     const c = coneCosine(level);
     // Means over wide cones need few axes.
-    coneMeans(moments, c > 0.5 ? MEAN_SIZE.width : MEAN_SIZE.width / 2, c).forEach((coarse, k) => {
-      const map = resize(coarse, MEAN_SIZE);
-      for (let y = 0; y < rows; y++)
-        for (let x = 0; x < columns; x++) {
-          const from = pixelOffset(map, y - 1, x - 1);
-          const to = 4 * ((level * rows + y) * width + k * columns + x);
-          for (let i = 0; i < 3; i++) data[to + i] = toHalf(Math.min(Math.max(map.rgb[from + i], -MAX_HALF), MAX_HALF));
-        }
-    });
+    coneMeans(moments, Math.min(source.width, c > 0.5 ? MEAN_SIZE.width : MEAN_SIZE.width / 2), c).forEach(
+      (coarse, k) => {
+        const map = resize(coarse, MEAN_SIZE);
+        for (let y = 0; y < rows; y++)
+          for (let x = 0; x < columns; x++) {
+            const from = pixelOffset(map, y - 1, x - 1);
+            const to = 4 * ((level * rows + y) * width + k * columns + x);
+            for (let i = 0; i < 3; i++)
+              data[to + i] = toHalf(Math.min(Math.max(map.rgb[from + i], -MAX_HALF), MAX_HALF));
+          }
+      },
+    );
   }
   return { data, width };
 }

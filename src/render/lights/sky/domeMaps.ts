@@ -1,0 +1,52 @@
+import { toHalf } from '../../../math/half.ts';
+import type { DomeLight } from '../../../scene/types.ts';
+import type { HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
+import { type DomeLevel, domeMipmaps } from './domeMipmaps.ts';
+import { pictureMeans } from './pictureMeans.ts';
+import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome } from './prefilteredDome.ts';
+
+/** All that a dome's texture has on the GPU of its picture; plain data, which takes a while to make. */
+export interface DomeMaps {
+  /** The picture and its mip levels. */
+  readonly levels: readonly DomeLevel[];
+  /** Prefiltered maps (`prefilterDome`), one below the other, with their borders. */
+  readonly lobes: HalfTexels;
+  /** What moving surfaces need (`pictureMeans`); absent if there are none. */
+  readonly means?: HalfTexels;
+}
+
+/** How the means of a dome are made: not at all, of few pixels, a quarter of a second, or of many, two. */
+export type DomeMeans = 'none' | 'coarse' | 'fine';
+
+/** The maps of a dome's picture. */
+export function domeMaps(picture: NonNullable<DomeLight['texture']>, means: DomeMeans): DomeMaps {
+  return {
+    levels: domeMipmaps(picture),
+    lobes: stacked(prefilterDome(picture)),
+    ...(means !== 'none' && { means: pictureMeans(picture, MEAN_SOURCES[means]) }),
+  };
+}
+
+/** Size of the panorama that means are taken of. */
+const MEAN_SOURCES = { coarse: { width: 32, height: 16 }, fine: PREFILTER_SIZE } as const;
+
+/** Width of the wrapped border of a map [px]. */
+export const BORDER = 1;
+
+/** Panoramas one below the other, with their borders. */
+function stacked(maps: readonly Panorama[]): HalfTexels {
+  const [width, height] = [PREFILTER_SIZE.width + 2 * BORDER, PREFILTER_SIZE.height + 2 * BORDER];
+  const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
+  maps.forEach((map, layer) => {
+    for (let y = 0; y < height; y++)
+      for (let x = 0; x < width; x++) {
+        const from = pixelOffset(map, y - BORDER, x - BORDER);
+        const to = 4 * ((layer * height + y) * width + x);
+        for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(map.rgb[from + k], MAX_HALF));
+      }
+  });
+  return { data, width };
+}
+
+/** The largest finite half-precision number. */
+const MAX_HALF = 65504;
