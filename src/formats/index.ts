@@ -9,6 +9,7 @@ export { readSpectrumCsv } from './attributes/spectrumCsv.ts';
 export { entryOf } from './entry.ts';
 export { type FileSource, memorySource } from './files/fileSource.ts';
 export type { FilmFrame, FilmFrames, OpenFilmFrames } from './film/filmFrames.ts';
+export { FilmPanorama } from './film/filmPanorama.ts';
 export { type DecodedImage, decodeImage } from './image/decodeImage.ts';
 export { encodePng } from './image/encodePng.ts';
 export { type ExrChannel, type ExrEnvmap, type ExrImage, writeExr } from './image/exr.ts';

@@ -5,6 +5,8 @@
  */
 
 export type { RasterRenderer } from './api.ts';
+export { type DomeMaps, type DomeMeans, domeMaps } from './lights/sky/domeMaps.ts';
+export type { DomeLevel } from './lights/sky/domeMipmaps.ts';
 export { SceneRenderer } from './renderer.ts';
 export type {
   Backend,

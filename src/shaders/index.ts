@@ -29,6 +29,7 @@ export { hyperbolicSlice } from './simultaneity/hyperbolicSlice.ts';
 export { newtonSlice } from './simultaneity/newtonSlice.ts';
 export { polylineSlice } from './simultaneity/polylineSlice.ts';
 export { uniformSlice } from './simultaneity/uniformSlice.ts';
+export type { HalfTexels } from './tables/halfAtlas.ts';
 export type {
   Bool,
   Float,

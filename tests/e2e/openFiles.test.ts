@@ -1,3 +1,6 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { AxeBuilder } from '@axe-core/playwright';
 import { EXTTextureWebP, KHRTextureBasisu } from '@gltf-transform/extensions';
 import { zipSync } from 'fflate';
@@ -8,6 +11,7 @@ import { withSphericalPng } from '../../src/formats/spherical/sphericalPictures.
 import { PINK_WEBP } from '../formats/pictures.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { solidKtx2 } from '../support/ktx2Kit.ts';
+import { makeTestFilm } from '../support/testFilm.ts';
 import { difference, type MonitoredPage, Program, sharedPage, WINDOW } from './program.ts';
 import { drop, pinkShare, sceneBytes } from './support.ts';
 
@@ -36,6 +40,13 @@ const violations = async (page: Page) => {
   const found = await new AxeBuilder({ page }).analyze();
   return found.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
 };
+
+/** Which of red, green and blue is clearly the brightest in the middle: exposure may make it pale. */
+async function brightest(visit: MonitoredPage): Promise<number> {
+  const rgb = (await visit.middle()).slice(0, 3);
+  const most = rgb.indexOf(Math.max(...rgb));
+  return rgb.every((value, k) => k === most || value < rgb[most]! - 40) ? most : -1;
+}
 
 /** A square that fills the view in one of two colours, and beside it an object of a group. */
 const VARIANTS = `#usda 1.0
@@ -198,26 +209,50 @@ describe('opening files', () => {
         content: Buffer.from(name === 'front' ? front : face(90, 90, 90)),
       }));
     const visit = await opened();
-    /** Which of red, green and blue is clearly the brightest in the middle: exposure may make it pale. */
-    const brightest = async (): Promise<number> => {
-      const rgb = (await visit.middle()).slice(0, 3);
-      const most = rgb.indexOf(Math.max(...rgb));
-      return rgb.every((value, k) => k === most || value < rgb[most]! - 40) ? most : -1;
-    };
     await visit.opens(() => drop(visit, facesWith(face(255, 0, 0))));
-    await expect.poll(brightest).toBe(0);
+    await expect.poll(() => brightest(visit)).toBe(0);
     const packed = zipSync(
       Object.fromEntries(facesWith(face(0, 0, 255)).map(({ name, content }) => [`a/${name}`, new Uint8Array(content)])),
     );
     await visit.opens(() => drop(visit, [{ name: 'room.zip', content: Buffer.from(packed) }]));
-    await expect.poll(brightest).toBe(2);
+    await expect.poll(() => brightest(visit)).toBe(2);
     // The upper half is the left eye's.
     const eyes = Uint8Array.from({ length: 4 * 32 * 32 }, (_, i) =>
       i % 4 === 3 || (i < 2048 ? i % 4 === 1 : i % 4 === 0) ? 255 : 0,
     );
     const both = withSphericalPng(encodePng(32, 32, eyes), { projection: 'equirectangular', stereo: 'top-bottom' });
     await visit.opens(() => drop(visit, [{ name: 'eyes.png', content: Buffer.from(both) }]));
-    await expect.poll(brightest).toBe(1);
+    await expect.poll(() => brightest(visit)).toBe(1);
+  });
+
+  it('a film is seen all around, with the picture of the time; what is no panorama is refused', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'slowlight-film-'));
+    const film = { colors: ['red', 'lime', 'blue'], seconds: 1, rate: 10, width: 256, height: 128 };
+    const content = makeTestFilm(folder, 'film.mp4', film);
+    const visit = await opened();
+    await visit.opens(() => drop(visit, [{ name: 'film.mp4', content }]));
+    await expect.poll(() => brightest(visit)).toBe(0);
+    const time = visit.page.getByRole('slider', { name: 'World time' });
+    expect(await time.getAttribute('aria-valuemax')).toBe('3');
+    await time.focus();
+    for (const [key, color] of [
+      ['End', 2],
+      ['Home', 0],
+    ] as const) {
+      await time.press(key);
+      await expect.poll(() => brightest(visit)).toBe(color);
+    }
+    await visit.page.getByRole('button', { name: 'Play', exact: true }).click();
+    // It does not stop, and goes through all colours.
+    for (const color of [1, 2, 0]) await expect.poll(() => brightest(visit), { interval: 20 }).toBe(color);
+    await visit.page.getByRole('button', { name: 'Pause', exact: true }).click();
+    await (await visit.finest()).shot('openFiles-film');
+    const wide = makeTestFilm(folder, 'wide.mp4', { ...film, colors: ['red'], height: 144 });
+    await drop(visit, [{ name: 'wide.mp4', content: wide }]);
+    await visit.refusals.waitFor();
+    expect(await visit.refusals.textContent()).toMatch(/wide\.mp4.*256 × 144 pixels, and is no panorama/);
+    await visit.refusals.getByRole('button', { name: 'Close' }).click();
+    rmSync(folder, { recursive: true });
   });
 
   it('missing files of a scene on the server can be supplied too', async () => {

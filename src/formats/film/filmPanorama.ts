@@ -9,7 +9,19 @@ import type { FilmFrames, OpenFilmFrames } from './filmFrames.ts';
 /** Memory for frames that may be seen again [bytes]. */
 const CACHE_BYTES = 2 ** 28;
 
-/** What events see of a dome's film; one picture is made at a time. */
+/**
+ * What events see of a dome's film; one picture is made at a time.
+ * @example
+ * import { domeMaps, type SceneRenderer } from 'slowlight/render';
+ * import { filmedDome, type Scene } from 'slowlight/scene';
+ * // With a scene that was read of a film, and what decodes films here; then the renderer draws its next picture.
+ * async function showFilm(scene: Scene, openFrames: OpenFilmFrames, renderer: SceneRenderer, t: number) {
+ *   const film = new FilmPanorama(filmedDome(scene)!, openFrames);
+ *   const seen = await film.seenAt({ t, position: [0, 0, 0], speedOfLight: 10 });
+ *   renderer.showDome(domeMaps(seen, 'none'));
+ *   film.close();
+ * }
+ */
 export class FilmPanorama {
   private readonly dome: FilmedDome;
   private readonly frames: FilmFrames;
@@ -35,6 +47,7 @@ export class FilmPanorama {
     return picture;
   }
 
+  /** Gives the decoder and its frames back. */
   close(): void {
     this.frames.close();
     this.cache.clear();

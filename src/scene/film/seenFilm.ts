@@ -12,16 +12,18 @@ export type FilmedDome = DomeLight & Required<Pick<DomeLight, 'film' | 'texture'
 const isFilmed = (dome: DomeLight | undefined): dome is FilmedDome =>
   dome?.film !== undefined && dome.texture !== undefined;
 
-type Lights = Pick<Scene, 'lights'>;
-
-/** The scene's dome if it is filmed. */
-export function filmedDome({ lights }: Lights): FilmedDome | undefined {
+/**
+ * The scene's dome if it is filmed.
+ * @example
+ * filmedDome(makeScene({ name: 'by day' })); // undefined
+ */
+export function filmedDome({ lights }: Pick<Scene, 'lights'>): FilmedDome | undefined {
   const dome = lights.find(isDomeLight);
   return isFilmed(dome) ? dome : undefined;
 }
 
 /** World time that the film of a dome takes once [s]; none without a film. */
-export function filmTimeOf(scene: Lights): Partial<Pick<Scene, 'startTime' | 'endTime'>> {
+export function filmTimeOf(scene: Pick<Scene, 'lights'>): Partial<Pick<Scene, 'startTime' | 'endTime'>> {
   const film = filmedDome(scene)?.film;
   return film ? { startTime: film.start, endTime: film.start + filmDuration(film) } : {};
 }

@@ -18,7 +18,13 @@ export interface DomeMaps {
 /** How the means of a dome are made: not at all, of few pixels, a quarter of a second, or of many, two. */
 export type DomeMeans = 'none' | 'coarse' | 'fine';
 
-/** The maps of a dome's picture. */
+/**
+ * The maps of a dome's picture.
+ * @example
+ * const texels = { width: 8, height: 4, data: new Uint8Array(4 * 32).fill(255), colorSpace: 'srgb' } as const;
+ * const white = { name: 'white', ...texels, filter: 'linear', wrapS: 'repeat', wrapT: 'clamp' } as const;
+ * domeMaps(white, 'none').levels.map(({ width }) => width); // [8, 4, 2, 1]
+ */
 export function domeMaps(picture: NonNullable<DomeLight['texture']>, means: DomeMeans): DomeMaps {
   return {
     levels: domeMipmaps(picture),
