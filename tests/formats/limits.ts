@@ -1,5 +1,6 @@
 import { formatBytes } from '../../src/formats/diagnostics/inputError.ts';
 import { MAX_LINE } from '../../src/formats/files/textLines.ts';
+import { MAX_FRAMES as MAX_FILM_FRAMES, MAX_WIDTH as MAX_FILM_WIDTH } from '../../src/formats/film/filmTrack.ts';
 import { MAX_UNPACKED, MAX_DEPTH as NODE_DEPTH } from '../../src/formats/gltf/load/checkReferences.ts';
 import { MAX_INSTANCES } from '../../src/formats/gltf/read/instances.ts';
 import { MAX_VERTICES } from '../../src/formats/gltf/read/read.ts';
@@ -41,6 +42,10 @@ export const readerLimits: readonly { readonly what: string; readonly most: stri
   { what: 'objects of a scene, instances included', most: count(MAX_OBJECTS) },
   { what: 'messages of one code', most: count(MAX_PER_CODE) },
   { what: 'a picture', most: `${count(MAX_PICTURE_SIDE)} pixels a side, ${count(MAX_PIXELS)} in all` },
+  {
+    what: 'a film',
+    most: `${count(MAX_FILM_FRAMES)} frames; wider ones than ${count(MAX_FILM_WIDTH)} pixels are made smaller`,
+  },
   { what: 'USD: layers of a stage', most: count(MAX_LAYERS) },
   { what: 'USD: prims of a stage', most: count(MAX_PRIMS) },
   { what: 'USD: opinions on one prim', most: count(MAX_NODES) },

@@ -1,13 +1,19 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { expect } from 'vitest';
+import { openFfmpegFrames } from '../../src/cli/files/ffmpegFrames.ts';
 import { encodePng } from '../../src/formats/image/encodePng.ts';
 import { writeExr } from '../../src/formats/image/exr.ts';
 import { withPngText } from '../../src/formats/image/pngText.ts';
 import { panoramaXmp } from '../../src/formats/spherical/panorama.ts';
+import { withSphericalMp4 } from '../../src/formats/spherical/sphericalMp4.ts';
 import { withSphericalPng } from '../../src/formats/spherical/sphericalPictures.ts';
 import { withPngXmp } from '../../src/formats/spherical/xmpPackets.ts';
 import { isDomeLight } from '../../src/scene/lights/lightKinds.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import type { SphericalPicture } from '../../src/scene/view/sphericalPicture.ts';
+import { makeTestFilm, type TestFilm } from '../support/testFilm.ts';
 import { approximated, type ClaimGroup, type Files, read, refused } from './claim.ts';
 
 /** Of one grey, or with `noise` of another one at every pixel. */
@@ -139,4 +145,75 @@ const pictures: ClaimGroup = {
   ],
 };
 
-export const panoramaGroups: readonly ClaimGroup[] = [pictures];
+const FILM = { colors: ['red', 'lime'], seconds: 0.4, rate: 5, width: 64, height: 32 } as const;
+const DECODED = { options: { openFilm: openFfmpegFrames } };
+
+/** A film of ffmpeg's. */
+const film =
+  (name: string, change: Partial<TestFilm> = {}): (() => Promise<Files>) =>
+  async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'slowlight-claim-'));
+    try {
+      return { [name]: Uint8Array.from(makeTestFilm(folder, name, { ...FILM, ...change })) };
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  };
+
+const BOTH_EYES: SphericalPicture = { projection: 'equirectangular', stereo: 'top-bottom' };
+const stereoFilm = async (): Promise<Files> => {
+  const files = await film('a.mp4', { height: 64 })();
+  return { 'a.mp4': await withSphericalMp4(files['a.mp4'] as Uint8Array, 'a.mp4', BOTH_EYES) };
+};
+
+const HDR_COLORS = ['-color_primaries', 'bt2020', '-color_trc', 'smpte2084', '-colorspace', 'bt2020nc'];
+
+const isFilm = (frames: number) => (scene: Scene) => {
+  expect(scene.lights.find(isDomeLight)?.film?.track.times).toHaveLength(frames);
+  expect([scene.startTime, scene.endTime]).toEqual([0, expect.closeTo(frames / 5, 3)]);
+};
+
+const films: ClaimGroup = {
+  title: 'Films of all directions',
+  rows: [
+    read(
+      'MP4 and QuickTime (`.mp4`, `.m4v`, `.mov`), WebM and Matroska (`.webm`, `.mkv`), in the forms of pictures above; any rate, also an uneven one; edit lists',
+      'surroundings at infinity whose first picture is in the origin at 0 s; world time ends with it',
+      [film('a.mp4'), film('a.mov'), film('a.mkv'), film('a.webm', { how: ['-c:v', 'libvpx-vp9', '-b:v', '200k'] })],
+      isFilm(4),
+      DECODED,
+    ),
+    approximated(
+      'a film for two eyes, by its mark (Spherical Video V1 and V2, in MP4 and QuickTime)',
+      'the left one’s',
+      'panorama.stereo',
+      stereoFilm,
+      isFilm(4),
+      DECODED.options,
+    ),
+    refused(
+      'another aspect ratio, such as 16:9',
+      'with the sizes that are read',
+      'panorama.size',
+      film('a.mp4', { width: 64, height: 36 }),
+      DECODED.options,
+    ),
+    refused(
+      'high dynamic range (PQ, HLG)',
+      'to be converted to BT.709',
+      'film.hdr',
+      film('a.mp4', { how: HDR_COLORS }),
+      DECODED.options,
+    ),
+    refused('another container', 'to be converted', 'film.unreadable', { 'a.mp4': 'no film' }, DECODED.options),
+    refused('sound without pictures', 'as it is', 'film.empty', film('a.mp4', { colors: [] }), DECODED.options),
+    refused(
+      'a codec that is not decoded: the page has its browser’s, the command line ffmpeg’s. Code gives a decoder (`openFilm`)',
+      'with the decoder’s words',
+      'film.undecodable',
+      film('a.mp4'),
+    ),
+  ],
+};
+
+export const panoramaGroups: readonly ClaimGroup[] = [pictures, films];

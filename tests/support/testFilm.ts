@@ -4,7 +4,7 @@ import { join } from 'node:path';
 
 /** What a film of one colour after another is made of. */
 export interface TestFilm {
-  /** By part, as ffmpeg names them: `red`, `0x404040`. */
+  /** By part, as ffmpeg names them: `red`, `0x404040`; without any there is only silence. */
   readonly colors: readonly string[];
   /** Of a part [s]. */
   readonly seconds: number;
@@ -26,8 +26,9 @@ export function makeTestFilm(
   const inputs = [...parts, 'anullsrc'].flatMap((filter) => ['-f', 'lavfi', '-i', filter]);
   const joined = `${colors.map((_, i) => `[${i}]`).join('')}concat=n=${colors.length},format=yuv420p[v]`;
   const path = join(folder, name);
-  const ends = ['-t', String(colors.length * seconds)];
-  const maps = ['-filter_complex', joined, '-map', '[v]', '-map', `${colors.length}:a`];
+  const ends = ['-t', String(Math.max(1, colors.length) * seconds)];
+  const pictures = colors.length > 0 ? ['-filter_complex', joined, '-map', '[v]'] : [];
+  const maps = [...pictures, '-map', `${colors.length}:a`];
   const made = spawnSync(
     'ffmpeg',
     ['-loglevel', 'error', '-y', ...inputs, ...maps, '-g', '7', '-bf', '2', '-crf', '10', ...how, ...ends, path],

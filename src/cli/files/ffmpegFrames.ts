@@ -22,7 +22,7 @@ export const openFfmpegFrames: OpenFilmFrames = (track) => new FfmpegFrames(trac
 /** One that decodes frames in their order. */
 interface Decoding {
   readonly process: ChildProcessByStdio<null, Readable, Readable>;
-  readonly bytes: ByteReader;
+  readonly bytes: StreamReader;
   /** Index of the frame that comes next. */
   next: number;
   complaint: string;
@@ -77,7 +77,7 @@ class FfmpegFrames implements FilmFrames {
     const input = ['-hide_banner', '-loglevel', 'error', '-nostdin', ...from, '-i', path];
     const output = ['-map', '0:V:0', '-fps_mode', 'passthrough', '-vf', filter, '-f', 'rawvideo', '-'];
     const decoder = spawn('ffmpeg', [...input, ...output], { stdio: ['ignore', 'pipe', 'pipe'] });
-    const bytes = new ByteReader(decoder.stdout);
+    const bytes = new StreamReader(decoder.stdout);
     const forget = killWhenStopped(decoder);
     const decoding: Decoding = { process: decoder, bytes, next: index, complaint: '', forget };
     decoder.stderr.on('data', (chunk: Buffer) => {
@@ -129,7 +129,7 @@ async function colorMatrixOf(path: string, height: number): Promise<string> {
 }
 
 /** Takes a stream in parts of a size of one's own. */
-class ByteReader {
+class StreamReader {
   private readonly chunks: AsyncIterator<Buffer>;
   private rest: Uint8Array = new Uint8Array();
 

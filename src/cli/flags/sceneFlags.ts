@@ -26,7 +26,7 @@ const interpolations: readonly Interpolation[] = ['linear', 'cubic'];
 
 type FlyFlag = Omit<Flight, 'authoredIn'>;
 
-export const SCENE_ARGUMENT = msg`${ANY_FORMAT_FILE} file; a panorama (a picture); or a .zip with one, set.zip[scene.usda] to choose one of several`;
+export const SCENE_ARGUMENT = msg`${ANY_FORMAT_FILE} file; a panorama (a picture or a film); or a .zip with one, set.zip[scene.usda] to choose one of several`;
 
 export const addSceneFlags = (command: Command): Command =>
   command

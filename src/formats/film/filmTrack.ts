@@ -2,13 +2,14 @@ import { CustomSource, EncodedPacketSink, Input, MATROSKA, MP4, QTFF, WEBM } fro
 import { msg } from '../../messages/message.ts';
 import type { FilmTrack } from '../../scene/film/film.ts';
 import { readRange, type StoredFile } from '../../scene/streaming/storedNumbers.ts';
+import { InputError } from '../../scene/types.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 
 /** Widest frame [px]: larger ones are made smaller when they are decoded. */
-const MAX_WIDTH = 8192;
+export const MAX_WIDTH = 8192;
 /** Most frames: eleven hours of 25 a second. */
-const MAX_FRAMES = 1_000_000;
+export const MAX_FRAMES = 1_000_000;
 
 /** A film, opened for reading; dispose of it. */
 export const filmInput = ({ file, bytes }: Pick<FilmTrack, 'file' | 'bytes'>): Input =>
@@ -25,12 +26,7 @@ export async function readFilmTrack(file: StoredFile, bytes: number): Promise<Fi
   const { name } = file;
   const input = filmInput({ file, bytes });
   try {
-    if (!(await input.canRead()))
-      throw inputError(
-        'film.unreadable',
-        name,
-        msg`it is no film in MP4, QuickTime, Matroska or WebM; convert it, for instance with ffmpeg`,
-      );
+    if (!(await input.canRead())) throw unreadable(name);
     const track = await input.getPrimaryVideoTrack();
     if (!track) throw inputError('film.empty', name, msg`there are no pictures in it`);
     if (await track.hasHighDynamicRange())
@@ -43,10 +39,21 @@ export async function readFilmTrack(file: StoredFile, bytes: number): Promise<Fi
     const times = await timesOf(new EncodedPacketSink(track), name);
     const end = Math.max(await track.computeDuration({ metadataOnly: true }), times.at(-1)!);
     return { file, bytes, ...decodedSize(size), times, end: end > times[0]! ? end : times[0]! + 1 };
+  } catch (error) {
+    // Of damaged files the library says only that an assertion failed.
+    throw error instanceof InputError ? error : unreadable(name, error);
   } finally {
     input.dispose();
   }
 }
+
+const unreadable = (name: string, cause?: unknown): InputError =>
+  inputError(
+    'film.unreadable',
+    name,
+    msg`it is no film in MP4, QuickTime, Matroska or WebM, or it is damaged; convert it, for instance with ffmpeg`,
+    cause,
+  );
 
 function decodedSize({ width, height }: PictureSize): PictureSize {
   const shrink = Math.min(1, MAX_WIDTH / width);

@@ -18,6 +18,7 @@ const MAX_PICTURE = 2 ** 30;
  * says nothing, or is another kind of file. Of a film little more than its `moov` is read.
  * Throws a MessageError that begins with `name` where the file is damaged, or spherical in a way that is not read.
  * @example
+ * import type { SphericalPicture } from 'slowlight/scene';
  * const png = encodePng(2, 1, new Uint8Array(8));
  * const panorama = withSphericalPng(png, { projection: 'equirectangular', stereo: 'none' });
  * async function told(bytes: Uint8Array): Promise<SphericalPicture | undefined> {

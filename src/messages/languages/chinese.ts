@@ -1015,6 +1015,23 @@ const messages: Translation['messages'] = {
   'it does not show all directions: the others are black': '它没有显示所有方向：其余方向为黑色',
   'it is taken for a grid of 3 × 2 faces of a cube, by its aspect ratio, but their edges do not meet: if it is a photograph, it is no panorama':
     '按宽高比它被当作 3 × 2 排列的立方体六个面，但各面的边缘不衔接：如果它是照片，就不是全景图',
+  'its frame {} of {} cannot be decoded; ffmpeg says: {}': '第 {1} 帧（共 {2} 帧）无法解码；ffmpeg 报告：{3}',
+  'films are decoded by the program ffmpeg, which is not on the PATH. On Debian or Ubuntu: apt-get install -y ffmpeg':
+    '影片由程序 ffmpeg 解码，而 PATH 中没有。在 Debian 或 Ubuntu 上：apt-get install -y ffmpeg',
+  'this browser gives no canvas of {} × {} pixels': '此浏览器无法提供 {1} × {2} 像素的画布',
+  'its frame {} of {} cannot be decoded; the browser says: {}': '第 {1} 帧（共 {2} 帧）无法解码；浏览器报告：{3}',
+  'this browser does not decode {}; use another browser, or convert it to H.264 or VP9':
+    '此浏览器不能解码 {1}；请换用其他浏览器，或转换为 H.264 或 VP9',
+  'its frame {} is no panorama of the size of the first': '第 {1} 帧不是与第一帧同样大小的全景图',
+  'it is no film in MP4, QuickTime, Matroska or WebM, or it is damaged; convert it, for instance with ffmpeg':
+    '它不是 MP4、QuickTime、Matroska 或 WebM 影片，或已损坏；请转换它，例如用 ffmpeg',
+  'there are no pictures in it': '其中没有画面',
+  'its colours are of high dynamic range (PQ or HLG), which are not read; convert it to BT.709':
+    '其颜色为高动态范围（PQ 或 HLG），不能读取；请转换为 BT.709',
+  'it has more than {} frames; cut it into parts': '它超过 {1} 帧；请分割成几段',
+  'films are not decoded here; give the frame as a picture': '此处不解码影片；请以图片形式提供该帧',
+  'the film has {} × {} pixels, and is no panorama: one is twice as wide as high, or has six square faces, in a strip, a grid or a cross; of a fisheye or a dome master say so in the node Panorama':
+    '影片为 {1} × {2} 像素，不是全景影片：全景影片宽为高的两倍，或有六个正方形面，排成一行、网格或十字；若为鱼眼或穹幕母版，请在节点“全景”中说明',
   'the picture is {} × {} pixels, and no panorama': '图片为 {1} × {2} 像素，不是全景图',
   'one is twice as wide as high, or has six square faces: in a strip (6:1 or 1:6), a grid (3:2) or a cross (4:3 or 3:4, with empty corners), or in six files such as px.png, nx.png, py.png, ny.png, pz.png, nz.png':
     '全景图的宽应为高的两倍，或由六个正方形面组成：条状（6:1 或 1:6）、网格（3:2）、十字形（4:3 或 3:4，四角为空），或六个文件，例如 px.png、nx.png、py.png、ny.png、pz.png、nz.png',
@@ -2272,10 +2289,16 @@ const messages: Translation['messages'] = {
   'Composes what is observed. A sky or panorama that is connected replaces those of files.':
     '组成被观察的场景。连接的天空或全景图会取代文件中的天空。',
   Panorama: '全景图',
-  'A picture of all directions as surroundings at infinity, which also shine on things: by latitude and longitude, or six faces of a cube. It replaces the sky of the files in Scene.':
-    '以一张包含所有方向的图片作为无穷远处的环境，它也照亮物体：按经纬度展开，或立方体的六个面。在“场景”中它取代文件的天空。',
-  'A picture twice as wide as high, or of six square faces: PNG, JPEG, WebP, AVIF, Radiance (.hdr) or OpenEXR. Of a scene its dome is taken.':
-    '宽为高两倍的图片，或六个正方形面组成的图片：PNG、JPEG、WebP、AVIF、Radiance（.hdr）或 OpenEXR。若为场景文件，则取其天穹。',
+  'A picture or a film of all directions as surroundings at infinity, which also shine on things: by latitude and longitude, or six faces of a cube. It replaces the sky of the files in Scene.':
+    '以一张包含所有方向的图片或一部这样的影片作为无穷远处的环境，它也照亮物体：按经纬度展开，或立方体的六个面。在“场景”中它取代文件的天空。',
+  'A picture twice as wide as high, or of six square faces: PNG, JPEG, WebP, AVIF, Radiance (.hdr) or OpenEXR, or such a film: MP4, QuickTime, WebM or Matroska. Of a scene its dome is taken.':
+    '宽为高两倍的图片，或六个正方形面组成的图片：PNG、JPEG、WebP、AVIF、Radiance（.hdr）或 OpenEXR；或这样的影片：MP4、QuickTime、WebM 或 Matroska。若为场景文件，则取其天穹。',
+  'Film starts at': '影片开始于',
+  'World time at which the first picture of a film is in the origin.': '影片的第一幅画面到达原点的世界时间。',
+  'Before and after it': '影片前后',
+  'What is seen of a film before it starts and after it ends.': '影片开始之前和结束之后所见。',
+  'Its first and last picture': '第一幅和最后一幅画面',
+  'It repeats': '重复播放',
   'Turns the surroundings to the left, about the zenith.': '使环境绕天顶向左转动。',
   Tilt: '倾斜',
   'Raises what is in the middle of the picture, before it is turned.': '在转动之前，抬高图片中央的内容。',
@@ -3342,8 +3365,8 @@ const messages: Translation['messages'] = {
   'Expected PRIM=X,Y,Z or PRIM=X,Y,Z@T, like /World/Car=0.8,0,0@2.':
     '应写为 PRIM=X,Y,Z 或 PRIM=X,Y,Z@T，例如 /World/Car=0.8,0,0@2。',
   // Scenes and motions
-  '{} file; a panorama (a picture); or a .zip with one, set.zip[scene.usda] to choose one of several':
-    '{1} 文件；全景图（图片）；或含有此类文件的 .zip，有多个时以 set.zip[scene.usda] 选择',
+  '{} file; a panorama (a picture or a film); or a .zip with one, set.zip[scene.usda] to choose one of several':
+    '{1} 文件；全景（图片或影片）；或含有此类文件的 .zip，有多个时以 set.zip[scene.usda] 选择',
   "select a variant, as listed by inspect: '/World/Car{paint}=red'; repeatable":
     "选择变体，写法如 inspect 所列：'/World/Car{paint}=red'；可重复",
   'glTF: animation to play, by name or index from 0 (default: the first)':

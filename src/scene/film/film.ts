@@ -28,7 +28,7 @@ export interface FilmLayout {
 
 /**
  * A film of surroundings at infinity, taken at rest at the origin of the world. Its light is plane waves: the frame that reaches an event (t, x) from the
- * direction n was in the origin at t + n·x/c. docs/physics.md §6.10.
+ * direction n was in the origin at t + n·x/c. docs/physics.md §6.12.
  */
 export interface DomeFilm {
   /** Its frames. */

@@ -42,10 +42,13 @@ function withDome(scene: Scene, change: (dome: DomeLight) => DomeLight): Scene {
   return { ...scene, lights };
 }
 
-/** An event, and the speed of light [s], [m], [m/s]. */
+/** An event at which a film is seen, and the speed of light. */
 export interface FilmEvent {
+  /** World time [s]. */
   readonly t: number;
+  /** World frame [m]. */
   readonly position: Vec3;
+  /** [m/s] */
   readonly speedOfLight: number;
 }
 

@@ -7,6 +7,7 @@ import { fromHalf } from '../../math/half.ts';
 export interface StoredFile {
   /** For messages. */
   readonly name: string;
+  /** Interpreted by the host's reader. */
   readonly handle: unknown;
 }
 

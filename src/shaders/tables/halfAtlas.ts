@@ -12,7 +12,9 @@ import type { Float, Int, Vec4 } from '../types.ts';
 
 /** Rows of RGBA half floats, `width` texels each. */
 export interface HalfTexels {
+  /** 4 halves per texel, row after row. */
   readonly data: Uint16Array;
+  /** Texels of a row. */
   readonly width: number;
 }
 

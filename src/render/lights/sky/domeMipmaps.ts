@@ -1,15 +1,16 @@
 import { toHalf } from '../../../math/half.ts';
 import { linearizationTable } from '../../../scene/materials/sampleTexture.ts';
-import type { DomeLight } from '../../../scene/types.ts';
+import type { DomePicture } from '../../../scene/types.ts';
 import { srgbByte } from '../../../spectrum/display/srgbBytes.ts';
 import type { Panorama } from './prefilteredDome.ts';
 
-type DomePicture = NonNullable<DomeLight['texture']>;
-
 /** A mip level: RGBA in the encoding of its picture, rows from the top. */
 export interface DomeLevel {
+  /** [px] */
   readonly width: number;
+  /** [px] */
   readonly height: number;
+  /** 4 numbers per texel. */
   readonly data: Uint8Array | Uint16Array;
 }
 
