@@ -38,6 +38,7 @@ const GALLERY = [
   'texture-cube',
   'texture-hall',
   'texture-interior',
+  'clocks-around',
   'boxes-892',
   'boxes-949',
   'boxes-968',
@@ -51,7 +52,7 @@ const GALLERY = [
 ];
 const SCENES = ['.usda', '.usdc'];
 const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
-const SHIPPED = [...SCENES, '.png', '.webp', '.exr'];
+const SHIPPED = [...SCENES, '.png', '.webp', '.exr', '.mp4'];
 
 /** The page, and the page without a screen that the command line drives. Nothing inline: it runs under `script-src 'self'`. */
 export default defineConfig({

@@ -3,6 +3,7 @@
 // `npm run pictures -- compare` (or the name of one, `compare-moved`), since the reference renderer is slow.
 import { copyFileSync, existsSync, mkdirSync } from 'node:fs';
 import { basename, join } from 'node:path';
+import { paintClockFilm } from './clockFilm.mjs';
 import { shootGraph } from './pageShots.mjs';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
 import { toWebp } from './webp.mjs';
@@ -33,6 +34,7 @@ const thumbnails = {
   'texture-cube': [],
   'texture-hall': [],
   'texture-interior': [],
+  'clocks-around': ['--time', '0.9', '--beta', '0,0,-0.6'],
   'boxes-892': [],
   'boxes-949': [],
   'boxes-968': [],
@@ -142,6 +144,7 @@ try {
       slowlight('diagram', fileOf(scene), '-o', `docs/pictures/${name}.svg`, '--size', '960x540', ...flags);
   if (chosen('graph')) await shootGraph();
   if (names.includes('interior')) paintInterior();
+  if (names.includes('clocks')) paintClockFilm('examples/panoramas/clocks.mp4');
   for (const comparison of comparisons)
     if (names.includes('compare') || names.includes(comparison[1])) compare(...comparison);
 } catch (error) {

@@ -2,6 +2,7 @@ import type { GraphDocument } from '../../src/graph/document/document.ts';
 import { bouncing } from './bouncing.ts';
 import { charges } from './charges.ts';
 import { checkerboards } from './checkerboards.ts';
+import { clocksAround } from './clocksAround.ts';
 import { comparison } from './comparison.ts';
 import { cradle } from './cradle.ts';
 import { fallingCloth } from './fallingCloth.ts';
@@ -26,6 +27,7 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   'texture-cube': textureCube,
   'texture-hall': textureHall,
   'texture-interior': textureInterior,
+  'clocks-around': clocksAround,
   ...accelerations,
   layers,
   checkerboards,

@@ -2,6 +2,7 @@ import { ActionIcon, Group, Slider, Text, Tooltip } from '@mantine/core';
 import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconPlayerSkipBackFilled, IconRepeat } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import { msg } from '../../messages/message.ts';
+import { filmedDome } from '../../scene/film/seenFilm.ts';
 import { isStatic } from '../../scene/motion/motion.ts';
 import { formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
@@ -52,7 +53,10 @@ function Scrubber(): ReactNode {
   const time = useTelemetry((live) => live.t);
   const start = useEditorState((state) => state.picture?.scene.startTime ?? 0);
   const end = useEditorState((state) => state.picture?.scene.endTime ?? 0);
-  const moves = useEditorState(({ picture }) => picture?.scene.objects.some(({ motion }) => !isStatic(motion)));
+  const moves = useEditorState(({ picture }) => {
+    const scene = picture?.scene;
+    return scene && (scene.objects.some(({ motion }) => !isStatic(motion)) || filmedDome(scene) !== undefined);
+  });
   // End of the computed part, if the motion is incomplete.
   const until = useEditorState(({ interim, results }) => (interim ? computedUntil(results) : end));
   return (

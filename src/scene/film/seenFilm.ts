@@ -22,10 +22,10 @@ export function filmedDome({ lights }: Pick<Scene, 'lights'>): FilmedDome | unde
   return isFilmed(dome) ? dome : undefined;
 }
 
-/** World time that the film of a dome takes once [s]; none without a film. */
+/** World time that the film of a dome takes [s]; none without a film, nor of one that repeats without an end. */
 export function filmTimeOf(scene: Pick<Scene, 'lights'>): Partial<Pick<Scene, 'startTime' | 'endTime'>> {
   const film = filmedDome(scene)?.film;
-  return film ? { startTime: film.start, endTime: film.start + filmDuration(film) } : {};
+  return film && !film.repeats ? { startTime: film.start, endTime: film.start + filmDuration(film) } : {};
 }
 
 /** The scene with a picture on its dome. */
