@@ -6,7 +6,7 @@ export const clocksAround = () =>
     {
       title: 'Clocks in a film',
       lookFor:
-        'A 360° film of clocks, infinitely far away, whose hands go round in eight seconds, flown through at 0.6 c: ahead they run twice as fast, and behind you half as fast, by the same factor as their colours shift. The mirror that you leave behind shows them, too. Stop (X): they run alike again, but no longer agree, since you are nearer to the light of those ahead. Stay in place with Tab: the shape is that of a flight, the tempo is not.',
+        'A 360° film of clocks, infinitely far away, whose hands go round in eight seconds, at 0.6 c. At first you stay in place, where all of them agree: press Tab to fly. By your own clock those ahead run twice as fast and those behind you half as fast, by the same factor as their colours shift; the mirror that you leave behind shows them, too. Stop (X): they run alike again, but no longer agree, since you are nearer to the light of those ahead.',
     },
     {
       panorama: { type: 'panorama', set: { source: 'panoramas/clocks.mp4', filmEnd: 'repeat', reading: 'filter' } },

@@ -13,7 +13,7 @@ import { withPngXmp } from '../../src/formats/spherical/xmpPackets.ts';
 import { isDomeLight } from '../../src/scene/lights/lightKinds.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import type { SphericalPicture } from '../../src/scene/view/sphericalPicture.ts';
-import { makeTestFilm, type TestFilm } from '../support/testFilm.ts';
+import { type ColorFilm, makeTestFilm } from '../support/testFilm.ts';
 import { approximated, type ClaimGroup, type Files, read, refused } from './claim.ts';
 
 /** Of one grey, or with `noise` of another one at every pixel. */
@@ -150,7 +150,7 @@ const DECODED = { options: { openFilm: openFfmpegFrames } };
 
 /** A film of ffmpeg's. */
 const film =
-  (name: string, change: Partial<TestFilm> = {}): (() => Promise<Files>) =>
+  (name: string, change: Partial<ColorFilm> = {}): (() => Promise<Files>) =>
   async () => {
     const folder = mkdtempSync(join(tmpdir(), 'slowlight-claim-'));
     try {

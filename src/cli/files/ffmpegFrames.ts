@@ -16,6 +16,9 @@ import { killWhenStopped } from './outputFile.ts';
 /** Frames that are decoded and thrown away rather than that decoding starts anew at a later one. */
 const MAX_SKIPPED = 24;
 
+/** Most frames by which one is decoded before it is shown. */
+const MAX_REORDERED = 16;
+
 /** Decodes films with the program ffmpeg. */
 export const openFfmpegFrames: OpenFilmFrames = (track) => new FfmpegFrames(track);
 
@@ -71,10 +74,14 @@ class FfmpegFrames implements FilmFrames {
     readRange(file, 0, 1);
     const path = this.path();
     this.matrix ??= colorMatrixOf(path, height);
-    const filter = `scale=${width}:${height}:in_color_matrix=${await this.matrix},format=rgba`;
+    const rgba = `scale=${width}:${height}:in_color_matrix=${await this.matrix},format=rgba`;
     // By the clock of the file, and between two frames, so that rounding does not matter.
-    const from = index > 0 ? ['-seek_timestamp', '1', '-ss', String((times[index - 1]! + times[index]!) / 2)] : [];
-    const input = ['-hide_banner', '-loglevel', 'error', '-nostdin', ...from, '-i', path];
+    const before = (frame: number): string => ((times[frame - 1]! + times[frame]!) / 2).toFixed(9);
+    const filter = index > 0 ? `select='gte(t,${before(index)})',${rgba}` : rgba;
+    // In fragmented MP4 ffmpeg seeks by the times at which frames are decoded, and would begin too late.
+    const near = index - MAX_REORDERED;
+    const from = near > 0 ? ['-seek_timestamp', '1', '-noaccurate_seek', '-ss', before(near)] : [];
+    const input = ['-hide_banner', '-loglevel', 'error', '-nostdin', '-copyts', ...from, '-i', path];
     const output = ['-map', '0:V:0', '-fps_mode', 'passthrough', '-vf', filter, '-f', 'rawvideo', '-'];
     const decoder = spawn('ffmpeg', [...input, ...output], { stdio: ['ignore', 'pipe', 'pipe'] });
     const bytes = new StreamReader(decoder.stdout);

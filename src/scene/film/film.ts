@@ -43,6 +43,9 @@ export interface DomeFilm {
   readonly repeats: boolean;
 }
 
+/** Rounding of times [s] must not show the frame before. */
+const ROUNDING = 1e-9;
+
 /** How long it lasts, in world time [s]. */
 export const filmDuration = ({ track: { times, end }, speed }: DomeFilm): number => (end - times[0]!) / speed;
 
@@ -51,14 +54,13 @@ export function frameAt(film: DomeFilm, time: number): number {
   const { times, end } = film.track;
   const duration = end - times[0]!;
   const played = (time - film.start) * film.speed;
-  const shown = film.repeats ? played - Math.floor(played / duration) * duration : played;
+  const shown = film.repeats ? played - Math.floor((played + ROUNDING) / duration) * duration : played;
   return lastBefore(times, times[0]! + shown);
 }
 
 /** The index of the last time that is not after `time`; 0 if all are. */
 export function lastBefore(times: Float64Array, time: number): number {
-  // One float of rounding must not show the frame before.
-  const reached = time + 1e-9 * Math.max(1, Math.abs(time));
+  const reached = time + ROUNDING * Math.max(1, Math.abs(time));
   let [low, high] = [0, times.length];
   while (high - low > 1) {
     const middle = (low + high) >> 1;
