@@ -6,9 +6,10 @@ import { makeScene } from '../scene/defaults.ts';
 import { perspective } from '../scene/view/lenses/perspectiveLens.ts';
 import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
 import type { PipelineHost } from './host.ts';
+import { openSession } from './openSession.ts';
 import { optionsByEffect, withDefaults } from './options.ts';
 import type { Pipeline, PipelineSession } from './pipeline.ts';
-import { AUTOMATIC_PIPELINES, interactivePipeline, openSession, PIPELINES, pipelineNamed } from './registry.ts';
+import { AUTOMATIC_PIPELINES, interactivePipeline, PIPELINES, pipelineNamed } from './registry.ts';
 
 describe('the list of pipelines', () => {
   it('has unique names, and each pipeline can draw', () => {

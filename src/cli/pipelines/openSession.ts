@@ -1,8 +1,9 @@
 import { anyOf, inLines, type Message, msg } from '../../messages/message.ts';
 import { PictureTooLargeError } from '../../pipelines/maxSize.ts';
+import { openSession } from '../../pipelines/openSession.ts';
 import type { OptionValues } from '../../pipelines/options.ts';
 import type { PictureScenes, Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
-import { AUTOMATIC_PIPELINES, openSession, pipelineNamed } from '../../pipelines/registry.ts';
+import { AUTOMATIC_PIPELINES, pipelineNamed } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
 import { killWhenStopped } from '../files/outputFile.ts';
 import { foreignSetting, optionsOf } from '../flags/pipelineFlags.ts';

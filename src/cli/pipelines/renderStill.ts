@@ -1,7 +1,8 @@
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { msg } from '../../messages/message.ts';
 import { lightOf, queueStills, stillRequest } from '../../nodes/still.ts';
-import { openSession, pipelineNamed } from '../../pipelines/registry.ts';
+import { openSession } from '../../pipelines/openSession.ts';
+import { pipelineNamed } from '../../pipelines/registry.ts';
 import { killWhenStopped, throwIfStopped } from '../files/outputFile.ts';
 import { CliError, EXIT } from '../terminal/exitCodes.ts';
 import { nodeHost } from './nodeHost.ts';

@@ -1,6 +1,7 @@
-import type { Input, VideoSample, VideoSampleSink } from 'mediabunny';
+import { type Input, type VideoSample, VideoSampleSink } from 'mediabunny';
 import { inputError } from '../../formats/diagnostics/inputError.ts';
 import type { FilmFrame, FilmFrames, OpenFilmFrames } from '../../formats/film/filmFrames.ts';
+import { filmInput } from '../../formats/film/filmTrack.ts';
 import { type Message, msg } from '../../messages/message.ts';
 import { type FilmTrack, lastBefore } from '../../scene/film/film.ts';
 
@@ -73,12 +74,7 @@ class WebFrames implements FilmFrames {
     await run?.samples.return(undefined);
   }
 
-  /** Loaded with the first film. */
   private async open() {
-    const [{ VideoSampleSink }, { filmInput }] = await Promise.all([
-      import('mediabunny'),
-      import('../../formats/film/filmTrack.ts'),
-    ]);
     const input = filmInput(this.track);
     const video = await input.getPrimaryVideoTrack();
     if (!video || !(await video.canDecode())) {

@@ -1,6 +1,7 @@
 import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { entryOf } from '../../formats/entry.ts';
 import { type FileSource, normalizePath } from '../../formats/files/fileSource.ts';
+import type { OpenFilmFrames } from '../../formats/film/filmFrames.ts';
 import { openScene } from '../../formats/open.ts';
 import { memoryFile, splitArchive, zipSource } from '../../formats/zip/zipSource.ts';
 import { transferables } from '../../graph/evaluation/transferables.ts';
@@ -9,7 +10,6 @@ import { messageOf } from '../../messages/messageError.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
-import { openWebFrames } from '../films/webFrames.ts';
 import { decodePicture } from './browserPictures.ts';
 import { localSource, urlSource } from './fileSources.ts';
 import { loadedScene } from './loadedScene.ts';
@@ -34,14 +34,21 @@ addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
   }
 });
 
+/** Decodes films by code that is loaded with the first one. */
+const openFilm: OpenFilmFrames = (track) => {
+  const opened = import('../films/webFrames.ts').then(({ openWebFrames }) => openWebFrames(track));
+  return {
+    frame: async (index) => (await opened).frame(index),
+    close: () => void opened.then((frames) => frames.close()).catch(() => {}),
+  };
+};
+
 /** Progress of validating a long cache, which reads all samples. */
 const progress = (part: number): void => reply({ kind: 'progress', stage: 'parse', part });
 
 async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Promise<LoadedScene> {
   const { source, entry } = await sceneIn(sourceOf(request, files), request.entry);
-  return loadedScene(
-    await openScene(source, entry, { ...request.how, progress, decodePicture, openFilm: openWebFrames }),
-  );
+  return loadedScene(await openScene(source, entry, { ...request.how, progress, decodePicture, openFilm }));
 }
 
 /** The read fraction of a file is known; that of parsing is not. */

@@ -1,6 +1,7 @@
 import { messageOf } from '../../messages/messageError.ts';
 import { lightOf, type StillOrder, stillRequest } from '../../nodes/still.ts';
-import { openSession, pipelineNamed } from '../../pipelines/registry.ts';
+import { openSession } from '../../pipelines/openSession.ts';
+import { pipelineNamed } from '../../pipelines/registry.ts';
 import { openFilmInWorker } from '../films/openFilmInWorker.ts';
 import type { StillReply } from './protocol.ts';
 import { workerThreads } from './workerThreads.ts';

@@ -11,7 +11,8 @@ import { type PictureFrame, type PictureSequence, renderPictureSequence } from '
 import { sphericalFileOf } from '../../nodes/pictures/sphericalFile.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import type { ImageOutput, RequestedFile, SceneOutput, VideoOutput } from '../../nodes/project/outputFiles.ts';
-import { interactivePipeline, openSession } from '../../pipelines/registry.ts';
+import { openSession } from '../../pipelines/openSession.ts';
+import { interactivePipeline } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { pageHost } from '../pipelines/pageHost.ts';
