@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { decode } from 'fast-png';
 import { unzipSync } from 'fflate';
@@ -7,12 +7,13 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { sphericalOf } from '../../src/formats/spherical/sphericalOf.ts';
 import { memoryFile } from '../../src/formats/zip/zipSource.ts';
+import { parseDocument } from '../../src/graph/document/parse.ts';
 import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, connect, edited, set } from '../support/graphKit.ts';
 import { savingProject } from '../support/savingGraph.ts';
 import { videoStream } from '../support/videoStream.ts';
-import { difference, type MonitoredPage, Program, sharedPage, shots } from './program.ts';
+import { colorCount, difference, type MonitoredPage, Program, sharedPage, shots } from './program.ts';
 import { ASKED, drop, serveAsked } from './support.ts';
 
 let program: Program;
@@ -102,6 +103,44 @@ it('a 360° picture and a 360° film say what they are, and the page shows the p
   const asked = ['-v', 'error', '-show_entries', 'stream_side_data=projection', '-of', 'csv=p=0', path];
   expect(execFileSync('ffprobe', asked).toString()).toContain('equirectangular');
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
+  await visit.opens(() => drop(visit, [{ name: 'film.mp4', content: readFileSync(path) }]));
+  await (await visit.finest()).shot('film-seen');
+  expect(colorCount(await visit.pixels())).toBeGreaterThan(50);
+});
+
+it('what the page saves of a 360° film that is flown through is what the command line draws', async () => {
+  const visit = await shared();
+  const document = edited(
+    parseDocument(readFileSync('examples/clocks-around.slowlight.json', 'utf8')),
+    ...[add('frames', 'save-video'), set('frames', 'name', 'f_##.png'), set('frames', 'samples', 1)],
+    ...[set('frames', 'width', 96), set('frames', 'height', 64), connect('tone.image', 'frames.image')],
+    ...[set('frames', 'from', 0), set('frames', 'to', 4), set('frames', 'fps', 0.5)],
+  );
+  const folder = join(shots, 'clocks');
+  mkdirSync(join(folder, 'panoramas'), { recursive: true });
+  const clocks = readFileSync('examples/panoramas/clocks.mp4');
+  writeFileSync(join(folder, 'panoramas/clocks.mp4'), clocks);
+  writeFileSync(join(folder, 'clocks.slowlight.json'), serializeDocument(document));
+  await visit.opens(() =>
+    drop(visit, [
+      { name: 'clocks.slowlight.json', content: Buffer.from(serializeDocument(document)) },
+      { name: 'clocks.mp4', content: clocks },
+    ]),
+  );
+  await node(visit.page, 'frames').waitFor();
+  const { content } = await downloaded(visit, 'frames');
+  const saved = Object.values(unzipSync(content)).map((png) => Uint8Array.from(decode(png).data));
+  const drawn = ['render', join(folder, 'clocks.slowlight.json'), '--folder', folder, '--backend', 'webgl'];
+  execFileSync(process.execPath, ['bin/slowlight.js', ...drawn]);
+  const there = ['f_00.png', 'f_01.png', 'f_02.png'].map((name) =>
+    Uint8Array.from(decode(readFileSync(join(folder, name))).data),
+  );
+  expect(saved).toHaveLength(3);
+  // Two decoders: they interpolate colours differently.
+  saved.forEach((picture, i) => {
+    expect(difference(picture, there[i]!)).toBeLessThan(2);
+  });
+  for (const i of [1, 2]) expect(difference(saved[i]!, saved[0]!)).toBeGreaterThan(5);
 });
 
 it('a stereo picture is shown, and saved with its mark', async () => {
