@@ -73,7 +73,7 @@ export class SceneUploads {
       if (existing && this.fits(existing, buffer)) return existing;
       const scene = this.scenes[buffer.scene];
       if (!scene) throw new Error(`G-buffer ${i} is of scene ${buffer.scene}, of ${this.scenes.length}`);
-      const upload = this.make(scene, buffer.speedOfLight);
+      const upload = this.make(scene, buffer.speedOfLight, this.domes[this.scenes.indexOf(scene)]);
       if (existing) this.release(existing);
       this.uploads[i] = upload;
       return upload;
@@ -85,11 +85,11 @@ export class SceneUploads {
     for (const upload of this.uploads.splice(count)) this.release(upload);
   }
 
-  private make(scene: Scene, speedOfLight: number): SceneUpload {
+  /** `maps`: of another picture of its dome. */
+  private make(scene: Scene, speedOfLight: number, maps?: DomeMaps): SceneUpload {
     const buffers = this.pool.acquire(scene, speedOfLight);
     try {
       const upload = this.makeUpload(buffers);
-      const maps = this.domes[this.scenes.indexOf(scene)];
       if (maps) upload.environment.showDome(maps);
       return upload;
     } catch (error) {

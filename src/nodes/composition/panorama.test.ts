@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { panoramaProject } from '../../../tests/support/exampleGraphs.ts';
+import { edited, set } from '../../../tests/support/graphKit.ts';
 import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { Evaluator } from '../../graph/evaluation/evaluator.ts';
 import { IDENTITY, rotate } from '../../math/quat.ts';
@@ -24,7 +25,25 @@ const texture: Texture = {
   wrapT: 'clamp',
 };
 const SKY: DomeLight = { kind: 'dome', path: '/sky', color: [1, 1, 1], texture, orientation: IDENTITY };
+/** Of two seconds. */
+const FILM: DomeLight = {
+  ...SKY,
+  film: {
+    track: {
+      file: { name: 'film.mp4', handle: new Uint8Array() },
+      ...{ bytes: 0, width: 2, height: 1, times: Float64Array.of(0.5, 1.5), end: 2.5 },
+    },
+    ...{ layout: {}, start: 0, speed: 1, repeats: false },
+  },
+};
 const FILES: Readonly<Record<string, Scene>> = {
+  'film.mp4': makeScene({ name: 'film', objects: [], lights: [FILM], startTime: 0, endTime: 2 }),
+  'long.usda': makeScene({
+    name: 'long',
+    objects: [makeObject({ path: '/Box', mesh: box([1, 1, 1]) })],
+    startTime: 1,
+    endTime: 9,
+  }),
   'sky.png': makeScene({ name: 'sky', objects: [], lights: [SKY] }),
   'box.usda': makeScene({
     name: 'box',
@@ -34,7 +53,7 @@ const FILES: Readonly<Record<string, Scene>> = {
 };
 
 /** The lights of a scene of a file with a dome of its own and a panorama. */
-async function lights(params: Parameters<typeof panoramaProject>[0]) {
+async function lights(params: Parameters<typeof panoramaProject>[0], project = panoramaProject(params)) {
   const asked: ReadRequest['fisheye'][] = [];
   const readScene = async (source: string, { fisheye }: ReadRequest) => {
     if (source === 'sky.png') asked.push(fisheye);
@@ -42,11 +61,12 @@ async function lights(params: Parameters<typeof panoramaProject>[0]) {
     if (!scene) throw inputError('file.missing', source, msg`no such file`);
     return { scene };
   };
-  const evaluation = await new Evaluator(nodeLibrary).evaluate(panoramaProject(params), 'output', {
+  const evaluation = await new Evaluator(nodeLibrary).evaluate(project, 'output', {
     ...workerServices,
     readScene,
   });
-  return { lights: evaluatedPicture(evaluation)?.scene.lights as readonly DomeLight[] | undefined, evaluation, asked };
+  const scene = evaluatedPicture(evaluation)?.scene;
+  return { lights: scene?.lights as readonly DomeLight[] | undefined, scene, evaluation, asked };
 }
 
 const about = (v: Vec3) => v.map((x) => expect.closeTo(x, 9));
@@ -84,6 +104,28 @@ describe('the node Panorama', () => {
     expect((await lights({ source: 'sky.png', reading: 'filter' })).lights![0].spectrum).toBe(DAYLIGHT);
     const lamp = await lights({ source: 'sky.png', reading: 'filter', madeOf: 'tungsten' });
     expect(lamp.lights![0].spectrum).toMatchObject({ kind: 'thermal', temperature: 2856 });
+  });
+
+  it('a film starts when it is told to, holds or repeats, and is within the time of the scene', async () => {
+    const still = await lights({ source: 'film.mp4' });
+    expect(still.lights![0].film).toEqual(FILM.film);
+    expect([still.scene!.startTime, still.scene!.endTime]).toEqual([0, 2]);
+    const later = await lights({ source: 'film.mp4', filmStart: 5, filmEnd: 'repeat' });
+    expect(later.lights![0].film).toEqual({ ...FILM.film, start: 5, repeats: true });
+    expect([later.scene!.startTime, later.scene!.endTime]).toEqual([5, 7]);
+    expect((await lights({ source: 'sky.png', filmStart: 5, filmEnd: 'repeat' })).lights![0].film).toBeUndefined();
+  });
+
+  it('a film makes the time of a scene longer, not shorter', async () => {
+    const range = async (filmStart: number) => {
+      const params = { source: 'film.mp4', filmStart };
+      const project = edited(panoramaProject(params), set('read', 'source', 'long.usda'));
+      const { scene } = await lights(params, project);
+      return [scene!.startTime, scene!.endTime];
+    };
+    expect(await range(3)).toEqual([1, 9]);
+    expect(await range(-4)).toEqual([-4, 9]);
+    expect(await range(20)).toEqual([1, 22]);
   });
 
   it.each([
