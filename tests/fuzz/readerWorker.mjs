@@ -22,13 +22,19 @@ async function read(bytes) {
   try {
     if (entry.endsWith('.exr')) readExr(bytes, entry);
     else if (/\.(png|jpg)$/.test(entry)) decodeImage(bytes, entry);
-    else return ofScene(await openScene(memorySource({ ...files, [entry]: bytes }), opened));
+    else return ofScene(await openScene(memorySource({ ...files, [entry]: bytes }), opened, { openFilm }));
     return {};
   } catch (error) {
     if (error.name !== 'InputError' || !isSaid(error.diagnostic)) return { fault: `threw ${error.stack ?? error}` };
     return { refusal: error.message, said: error.diagnostic.code };
   }
 }
+
+/** Of films the containers are read here, not the pictures. */
+const openFilm = ({ width, height }) => ({
+  frame: async () => ({ width, height, data: new Uint8Array(4 * width * height) }),
+  close: () => {},
+});
 
 const UNREAD = ['usd.unreadable-layer', 'file.unreadable-texture'];
 

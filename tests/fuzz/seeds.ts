@@ -1,9 +1,12 @@
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { encode as encodeJpeg } from 'jpeg-js';
 import { type ExrChannel, writeExr } from '../../src/formats/image/exr.ts';
 import { parseLayer, writeCrate } from '../../src/formats/usd/index.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
+import { makeTestFilm } from '../support/testFilm.ts';
 
 /** A valid file with its dependencies, the starting point of mutations. */
 export interface Seed {
@@ -67,12 +70,28 @@ export async function seeds(): Promise<Seed[]> {
     seed('wood.jpg', jpeg(), false),
     seed('channels.exr', exr(), false),
     seed('sky.hdr', panorama(), false),
+    ...films(),
     ktx2Seed('etc1s.ktx2', 'rgba-mipmap-reference-basis.ktx2'),
     ktx2Seed('uastc.ktx2', 'luminance_alpha_reference_uastc.ktx2'),
   ];
 }
 
 /** Six faces of 8 × 8 pixels in a strip, run-length encoded. */
+/** Of a few frames each; fragmented, too. */
+function films(): Seed[] {
+  const folder = mkdtempSync(join(tmpdir(), 'slowlight-seeds-'));
+  const film = { colors: ['red', 'lime'], seconds: 0.4, rate: 10, width: 64, height: 32 } as const;
+  const of = (name: string, how: readonly string[]): Seed =>
+    seed(name, new Uint8Array(makeTestFilm(folder, name, { ...film, how })), false);
+  const made = [
+    of('film.mp4', []),
+    of('fragments.mp4', ['-movflags', 'frag_keyframe+empty_moov']),
+    of('film.webm', ['-c:v', 'libvpx-vp9', '-b:v', '100k']),
+  ];
+  rmSync(folder, { recursive: true });
+  return made;
+}
+
 function panorama(): Uint8Array {
   const component = (value: number): number[] => [128 + 48, value];
   const row = [2, 2, 0, 48, ...[200, 100, 50, 129].flatMap(component)];

@@ -131,9 +131,10 @@ describe('frames by ffmpeg', () => {
   it('of a broken film are refused with what ffmpeg says, and those before the damage are shown', async () => {
     makePaintedFilm(folder, 'front.mp4', { ...COUNTED, paint: countedColor, how: ['-movflags', '+faststart'] });
     const whole = new Uint8Array(readFileSync(at('front.mp4')));
+    const { file: _, ...rest } = await readFilmTrack({ name: 'front.mp4', handle: whole }, whole.length);
     // What tells of the frames is before them.
-    const bytes = whole.slice(0, Math.floor(0.75 * whole.length));
-    const track = await readFilmTrack({ name: 'broken.mp4', handle: bytes }, bytes.length);
+    const handle = whole.slice(0, Math.floor(0.75 * whole.length));
+    const track = { ...rest, file: { name: 'broken.mp4', handle } };
     expect(track.times.length).toBe(COUNTED.frames);
     expect(await wrong(track, 0, [0, 1])).toEqual([]);
     const refused = using(track, (frames) => frames.frame(COUNTED.frames - 1));

@@ -1,7 +1,7 @@
 import { type Input, type VideoSample, VideoSampleSink } from 'mediabunny';
 import { inputError } from '../../formats/diagnostics/inputError.ts';
 import type { FilmFrame, FilmFrames, OpenFilmFrames } from '../../formats/film/filmFrames.ts';
-import { filmInput } from '../../formats/film/filmTrack.ts';
+import { filmInput, ReadBudget } from '../../formats/film/filmTrack.ts';
 import { type Message, msg } from '../../messages/message.ts';
 import { type FilmTrack, lastBefore } from '../../scene/film/film.ts';
 
@@ -14,12 +14,14 @@ export const openWebFrames: OpenFilmFrames = (track) => new WebFrames(track);
 class WebFrames implements FilmFrames {
   private readonly track: FilmTrack;
   private readonly canvas: OffscreenCanvasRenderingContext2D;
+  private readonly budget: ReadBudget;
   private opened: Promise<{ readonly input: Input; readonly sink: VideoSampleSink }> | undefined;
   /** Frames in the order in which they are shown, and the index of the next one. */
   private run: { readonly samples: AsyncGenerator<VideoSample>; next: number } | undefined;
 
   constructor(track: FilmTrack) {
     this.track = track;
+    this.budget = new ReadBudget(track.bytes);
     const canvas = new OffscreenCanvas(track.width, track.height).getContext('2d', { willReadFrequently: true });
     if (!canvas) throw this.undecodable(msg`this browser gives no canvas of ${track.width} × ${track.height} pixels`);
     this.canvas = canvas;
@@ -27,6 +29,7 @@ class WebFrames implements FilmFrames {
 
   async frame(index: number): Promise<FilmFrame> {
     const { times, end } = this.track;
+    this.budget.renew();
     this.opened ??= this.open();
     const { sink } = await this.opened;
     if (!this.run || index < this.run.next || index > this.run.next + MAX_SKIPPED) {
@@ -75,7 +78,7 @@ class WebFrames implements FilmFrames {
   }
 
   private async open() {
-    const input = filmInput(this.track);
+    const input = filmInput(this.track, this.budget);
     const video = await input.getPrimaryVideoTrack();
     if (!video || !(await video.canDecode())) {
       const codec = (await video?.getCodec()) ?? '?';

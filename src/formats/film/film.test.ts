@@ -193,7 +193,7 @@ describe('what is refused', () => {
     refused(
       'text.mp4',
       'film.unreadable',
-      /no film in MP4, QuickTime, Matroska or WebM; convert it/,
+      /no film in MP4, QuickTime, Matroska or WebM, or it is damaged; convert it/,
       new TextEncoder().encode('These are words, and no film.\n'.repeat(99)),
     ));
 
@@ -220,13 +220,30 @@ describe('what is refused', () => {
 
   it('a film of which nothing but the beginning or the end is there', async () => {
     const whole = bytesOf('plain.mp4');
-    await refused('part.mp4', 'film.empty', /there are no pictures in it/, whole.slice(0, whole.length / 2));
+    const half = whole.slice(0, whole.length / 2);
+    await refused('part.mp4', 'film.unreadable', /damaged: mdat at byte \d+ claims \d+ bytes of the \d+/, half);
+    const unfinished = whole.slice(0, Buffer.from(whole).indexOf('moov') - 4);
+    await refused('part.mp4', 'film.unreadable', /damaged: there is no moov box: the film is cut off/, unfinished);
     await refused('part.mp4', 'film.unreadable', /no film/, whole.slice(whole.length / 2));
     await refused('part.mp4', 'file.empty', /0 bytes/, new Uint8Array());
     // Its table comes first, and its pictures are missing.
     makePaintedFilm(folder, 'front.mp4', { ...COUNTED, paint: countedColor, how: ['-movflags', '+faststart'] });
     const front = bytesOf('front.mp4');
     const data = Buffer.from(front).indexOf('mdat') + 16;
-    await refused('front.mp4', 'film.undecodable', /its frame 0 of 48 cannot be decoded/, front.slice(0, data));
+    await refused('front.mp4', 'film.unreadable', /damaged: mdat at byte/, front.slice(0, data));
+  });
+
+  it.each([
+    ['plain.mp4', 'stsz', 8, /stbl\/stsz claims 4294967295 samples, more than a film can have/],
+    ['plain.mp4', 'stts', 8, /stbl\/stts claims \d{10} samples/],
+    ['plain.mp4', 'ctts', 8, /stbl\/ctts claims \d{10} samples/],
+    ['plain.mp4', 'ctts', 4, /stbl\/ctts ends before its byte/],
+    ['plain.mp4', 'stsc', 12, /stbl\/stsc claims \d{10,} samples/],
+    ['fragmented.mp4', 'trun', 4, /moof claims \d{10} samples/],
+  ] as const)('a count that is huge: %s, %s at %i', async (name, box, at, words) => {
+    const film = bytesOf(name).slice();
+    const table = Buffer.from(film).indexOf(box) + 4;
+    film.set([255, 255, 255, 255], table + at);
+    await refused('huge.mp4', 'film.unreadable', words, film);
   });
 });

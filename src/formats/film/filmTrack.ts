@@ -1,21 +1,60 @@
 import { CustomSource, EncodedPacketSink, Input, MATROSKA, MP4, QTFF, WEBM } from 'mediabunny';
 import { msg } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import type { FilmTrack } from '../../scene/film/film.ts';
 import { readRange, type StoredFile } from '../../scene/streaming/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { inputError } from '../diagnostics/inputError.ts';
+import { RangedFile } from '../files/rangedFile.ts';
+import type { RandomAccessFile } from '../zip/directory.ts';
+import { checkMp4Tables } from './mp4Tables.ts';
 
 /** Widest frame [px]: larger ones are made smaller when they are decoded. */
 export const MAX_WIDTH = 8192;
 /** Most frames: eleven hours of 25 a second. */
 export const MAX_FRAMES = 1_000_000;
 
-/** A film, opened for reading; dispose of it. */
-export const filmInput = ({ file, bytes }: Pick<FilmTrack, 'file' | 'bytes'>): Input =>
+/** A file whose parts are read as those of archives are. */
+export const randomAccess = (content: RangedFile): RandomAccessFile => ({
+  size: content.size,
+  read: async (from, to) => content.read(from, to - from),
+});
+
+/** How often a film is read until it counts as damaged: the library follows places that lead round in circles for ever. */
+export class ReadBudget {
+  private readonly most: number;
+  private left = 0;
+
+  /** `bytes`: size of the film. Every part that is read has a header of some bytes. */
+  constructor(bytes: number) {
+    this.most = 1000 + bytes / 8;
+    this.renew();
+  }
+
+  /** For another task. */
+  renew(): void {
+    this.left = this.most;
+  }
+
+  /** One more. Throws a MessageError when it is used up. */
+  spend(): void {
+    if (--this.left < 0) throw new MessageError(msg`its parts lead round in circles`);
+  }
+}
+
+/** A film, opened for reading; dispose of it. What is read is not kept, so that each time counts. */
+export const filmInput = ({ file, bytes }: Pick<FilmTrack, 'file' | 'bytes'>, budget: ReadBudget): Input =>
   new Input({
     formats: [MP4, QTFF, MATROSKA, WEBM],
-    source: new CustomSource({ getSize: () => bytes, read: (from, to) => readRange(file, from, to - from) }),
+    source: new CustomSource({
+      getSize: () => bytes,
+      read: (from, to) => {
+        budget.spend();
+        return readRange(file, from, to - from);
+      },
+      maxCacheSize: 0,
+    }),
   });
 
 /**
@@ -24,8 +63,9 @@ export const filmInput = ({ file, bytes }: Pick<FilmTrack, 'file' | 'bytes'>): I
  */
 export async function readFilmTrack(file: StoredFile, bytes: number): Promise<FilmTrack> {
   const { name } = file;
-  const input = filmInput({ file, bytes });
+  const input = filmInput({ file, bytes }, new ReadBudget(bytes));
   try {
+    await checkMp4Tables(randomAccess(new RangedFile(file, bytes)));
     if (!(await input.canRead())) throw unreadable(name);
     const track = await input.getPrimaryVideoTrack();
     if (!track) throw inputError('film.empty', name, msg`there are no pictures in it`);
@@ -40,7 +80,9 @@ export async function readFilmTrack(file: StoredFile, bytes: number): Promise<Fi
     const end = Math.max(await track.computeDuration({ metadataOnly: true }), times.at(-1)!);
     return { file, bytes, ...decodedSize(size), times, end: end > times[0]! ? end : times[0]! + 1 };
   } catch (error) {
-    // Of damaged files the library says only that an assertion failed.
+    if (error instanceof MessageError && !(error instanceof InputError))
+      throw inputError('film.unreadable', name, msg`it is damaged: ${messageOf(error)}`, error);
+    // Of other damage the library says only that an assertion failed.
     throw error instanceof InputError ? error : unreadable(name, error);
   } finally {
     input.dispose();

@@ -6,12 +6,12 @@ import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import type { FileSource } from '../files/fileSource.ts';
 import { RangedFile } from '../files/rangedFile.ts';
+import { MAX_PIXELS } from '../image/decodeImage.ts';
 import type { PanoramaPicture } from '../panorama/faces.ts';
 import { unfoldedPicture } from '../panorama/unfoldPicture.ts';
 import { coverageOf } from '../panorama/wholeSphere.ts';
 import type { ReadOptions } from '../readOptions.ts';
-import type { RandomAccessFile } from '../zip/directory.ts';
-import { readFilmTrack } from './filmTrack.ts';
+import { randomAccess, readFilmTrack } from './filmTrack.ts';
 
 /** What a panoramic film is made of: the picture of its first frame, the film, and its frames a second. */
 export interface PanoramicFilm {
@@ -31,6 +31,7 @@ export async function readFilm(
     throw inputError('film.undecodable', entry, msg`films are not decoded here; give the frame as a picture`);
   const content = await contentOf(source, entry);
   const track = await readFilmTrack(content.file, content.size);
+  if (track.width * track.height > MAX_PIXELS) throw noPanorama(entry, track);
   const marked = await coverageOf(randomAccess(content), entry, notes);
   const layout: FilmLayout = { ...(fisheye && { fisheye }), ...(marked && { coverage: marked }) };
   const frames = openFilm(track);
@@ -53,11 +54,6 @@ async function contentOf(source: FileSource, entry: string): Promise<RangedFile>
   if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   return new RangedFile({ name: entry, handle: bytes }, bytes.length);
 }
-
-const randomAccess = (content: RangedFile): RandomAccessFile => ({
-  size: content.size,
-  read: async (from, to) => content.read(from, to - from),
-});
 
 /** Frames a second as they are usually told: whole, or in thousandths. */
 const frameRate = (mean: number): number =>

@@ -1,13 +1,13 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
-import { formatBytes } from '../diagnostics/inputError.ts';
 import { joinedBytes } from '../files/joinedBytes.ts';
 import type { RandomAccessFile } from '../zip/directory.ts';
 import { memoryFile } from '../zip/zipSource.ts';
 import { checkChunks, uncorrected, withMovedChunks } from './chunkOffsets.ts';
+import { type FileBox, fileBoxes, readContent } from './fileBoxes.ts';
 import { inFile } from './inFile.ts';
-import { type Mp4Header, mp4Box, mp4Header, readMp4Header } from './mp4Boxes.ts';
+import { mp4Box, mp4Header } from './mp4Boxes.ts';
 import { sphericalOfMoov, withSphericalBoxes } from './sphericalMoov.ts';
 
 /** One change of a file: `removed` bytes from `at` give way to `bytes`, and what follows stays as it is. */
@@ -20,9 +20,6 @@ export interface FileEdit {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** Largest `moov` that is read [bytes], and most boxes of a file. */
-const MAX_MOOV = 2 ** 26;
-const MAX_FILE_BOXES = 10_000;
 /** Smallest box, and largest free one that is used [bytes]. */
 const MIN_BOX = 8;
 const MAX_FREE = 2 ** 31;
@@ -80,28 +77,7 @@ export async function sphericalOfMp4(file: RandomAccessFile): Promise<SphericalP
   throw new MessageError(NO_MOOV);
 }
 
-const NO_MOOV = msg`there is no moov box: the film is cut off, or was never finished`;
-
-interface FileBox extends Mp4Header {
-  /** In the file [bytes]. */
-  readonly at: number;
-}
-
-/** The boxes of a file. */
-async function* fileBoxes(file: RandomAccessFile): AsyncGenerator<FileBox> {
-  let at = 0;
-  for (let count = 0; at + MIN_BOX <= file.size; count++) {
-    if (count >= MAX_FILE_BOXES) throw new MessageError(msg`there are more than ${MAX_FILE_BOXES} boxes`);
-    const header = readMp4Header(await file.read(at, Math.min(at + 2 * MIN_BOX, file.size)), '', at);
-    const size = header.size || file.size - at;
-    if (at + size > file.size)
-      throw new MessageError(
-        msg`${header.type} at byte ${at} claims ${size} bytes of the ${file.size - at} that are left`,
-      );
-    yield { ...header, size, at };
-    at += size;
-  }
-}
+export const NO_MOOV = msg`there is no moov box: the film is cut off, or was never finished`;
 
 async function findMoov(file: RandomAccessFile) {
   const boxes: FileBox[] = [];
@@ -123,9 +99,3 @@ async function findMoov(file: RandomAccessFile) {
 
 const fragmented = (): MessageError =>
   new MessageError(msg`the film is fragmented, which cannot be marked; save it without fragments`);
-
-async function readContent(file: RandomAccessFile, { at, header, size }: FileBox): Promise<Uint8Array> {
-  if (size > MAX_MOOV)
-    throw new MessageError(msg`moov has ${formatBytes(size)}; at most ${formatBytes(MAX_MOOV)} are read`);
-  return file.read(at + header, at + size);
-}

@@ -1093,7 +1093,11 @@ const messages: Translation['messages'] = {
   'there are more than {} boxes': 'box 超过 {1} 个',
   'there are two moov boxes, at byte {} and {}': '有两个 moov box，分别在第 {1} 和第 {2} 字节',
   'there is no moov box: the film is cut off, or was never finished': '没有 moov box：影片被截断，或没有写完',
-  'moov has {}; at most {} are read': 'moov 有 {1}；最多读取 {2}',
+  '{} has {}; at most {} are read': '{1} 有 {2}；最多读取 {3}',
+  'its parts lead round in circles': '它的各部分循环引用',
+  'it is damaged: {}': '它已损坏：{1}',
+  '{} ends before its byte {}': '{1} 在其第 {2} 字节之前结束',
+  '{} claims {} samples, more than a film can have': '{1} 声称有 {2} 个样本，多于一部影片可能有的',
   'the film is fragmented, which cannot be marked; save it without fragments':
     '影片是分段的（fragmented），无法标记；请保存为不分段的影片',
   'the film has no video track': '影片没有视频轨',
