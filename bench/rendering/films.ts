@@ -48,7 +48,7 @@ async function measured(file: string, width: number): Promise<number[]> {
   if (made.status !== 0) throw new Error(`ffmpeg: ${made.stderr}`);
   const dome = filmedDome(await openSceneFile(file));
   if (!dome) throw new Error('there is no film');
-  const film = new FilmPanorama(dome, openFfmpegFrames);
+  const film = new FilmPanorama(dome, openFfmpegFrames, 2 ** 30);
   const seen = (t: number, position: Vec3) => film.seenAt({ t, position, speedOfLight: 1 });
   await seen(1, [0, 0, 0]);
   const [one, many]: [number[], number[]] = [[], []];

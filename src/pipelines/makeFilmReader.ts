@@ -4,9 +4,14 @@ import { type DomeMeans, domeMaps } from '../render/lights/sky/domeMaps.ts';
 import type { FilmedDome } from '../scene/film/seenFilm.ts';
 import type { FilmReader, SeenDome } from './filmReader.ts';
 
-/** Reads a film in this thread. `means`: see `OpenFilmReader`. */
-export function makeFilmReader(dome: FilmedDome, means: DomeMeans | undefined, openFrames: OpenFilmFrames): FilmReader {
-  const panorama = new FilmPanorama(dome, openFrames);
+/** Reads a film in this thread. `means`: see `OpenFilmReader`; `cacheBytes`: see `FilmPanorama`. */
+export function makeFilmReader(
+  dome: FilmedDome,
+  means: DomeMeans | undefined,
+  openFrames: OpenFilmFrames,
+  cacheBytes?: number,
+): FilmReader {
+  const panorama = new FilmPanorama(dome, openFrames, cacheBytes);
   let last: SeenDome | undefined;
   return {
     async seenAt(event) {

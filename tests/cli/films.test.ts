@@ -117,6 +117,14 @@ describe('a film of all directions', () => {
       endTime: FRAMES / RATE,
       timeCodesPerSecond: RATE,
     });
+    const { out } = await slowlight('inspect', at('grey.mp4'));
+    expect(out).toContain(`grey  (dome light, a film of ${FRAMES} frames)`);
+  });
+
+  test('is written as its first picture, which is said', async () => {
+    const { code, err } = await slowlight('convert', at('grey.mp4'), at('grey.usda'));
+    expect(code).toBe(0);
+    expect(err).toMatch(/grey: its film is not written, only its first picture/);
   });
 
   test('that is no panorama is refused, with its name', async () => {

@@ -52,6 +52,7 @@ function summarize(scene: Scene, c: number) {
     objects,
     materials: scene.materials.map(summarizeMaterial),
     lights: scene.lights.map((light) => ({
+      ...('film' in light && { filmFrames: light.film?.track.times.length }),
       kind: light.kind,
       path: light.path,
       ...('lifetime' in light && lifeOf(light.lifetime)),
@@ -222,9 +223,11 @@ function treeEntries(s: Summary): { path: string; note: string }[] {
     return { path, note: localized(listed(facts)) };
   });
   const wholes = [...pieces].map(([path, n]) => ({ path, note: localized(piecesNote(n)) }));
-  const lights = s.lights.map(({ path, kind, ...life }) => ({
+  const lights = s.lights.map(({ path, kind, filmFrames, ...life }) => ({
     path,
-    note: localized(listed([LIGHTS[kind], ...lifeFact(life)])),
+    note: localized(
+      listed([LIGHTS[kind], ...(filmFrames ? [msg`a film of ${filmFrames} frames`] : []), ...lifeFact(life)]),
+    ),
   }));
   const cameras = s.cameras.map(({ path, motion, fov }) => ({
     path,

@@ -3,11 +3,14 @@ import { makeFilmReader } from '../../pipelines/makeFilmReader.ts';
 import { openFfmpegFrames } from '../files/ffmpegFrames.ts';
 import { nodeThreads } from './nodeThreads.ts';
 
+/** Memory for the frames of a film: a second of 4096 × 2048 pixels [bytes]. */
+const FILM_CACHE = 2 ** 30;
+
 /** Runs pipelines in this process, on Dawn and in worker threads. */
 export const nodeHost: PipelineHost = {
   openGpu: openDawn,
   threads: nodeThreads(),
-  openFilm: (dome, means) => makeFilmReader(dome, means, openFfmpegFrames),
+  openFilm: (dome, means) => makeFilmReader(dome, means, openFfmpegFrames, FILM_CACHE),
 };
 
 /** Imported lazily: the library is large, and some machines cannot load it. */

@@ -6,9 +6,6 @@ import { inputError } from '../diagnostics/inputError.ts';
 import { unfoldedPicture } from '../panorama/unfoldPicture.ts';
 import type { FilmFrames, OpenFilmFrames } from './filmFrames.ts';
 
-/** Memory for frames that may be seen again [bytes]. */
-const CACHE_BYTES = 2 ** 28;
-
 /**
  * What events see of a dome's film; one picture is made at a time.
  * @example
@@ -25,11 +22,14 @@ const CACHE_BYTES = 2 ** 28;
 export class FilmPanorama {
   private readonly dome: FilmedDome;
   private readonly frames: FilmFrames;
+  private readonly cacheBytes: number;
   /** By index; the least recently used first. */
   private readonly cache = new Map<number, Uint8Array>();
   private last: { readonly key: string; readonly picture: DomePicture } | undefined;
 
-  constructor(dome: FilmedDome, open: OpenFilmFrames) {
+  /** `cacheBytes`: memory for frames that may be seen again. */
+  constructor(dome: FilmedDome, open: OpenFilmFrames, cacheBytes = 2 ** 28) {
+    this.cacheBytes = cacheBytes;
     this.dome = dome;
     this.frames = open(dome.film.track);
   }
@@ -71,7 +71,7 @@ export class FilmPanorama {
     this.cache.delete(index);
     this.cache.set(index, found);
     for (const oldest of this.cache.keys()) {
-      if (this.cache.size <= 1 || this.cache.size * found.length <= CACHE_BYTES) break;
+      if (this.cache.size <= 1 || this.cache.size * found.length <= this.cacheBytes) break;
       this.cache.delete(oldest);
     }
     return found;

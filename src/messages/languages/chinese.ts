@@ -3708,6 +3708,8 @@ const messages: Translation['messages'] = {
   'disk light': '圆盘光源',
   'cylinder light': '柱形光源',
   'dome light': '天穹光',
+  'a film of {} frames': '{1} 帧的影片',
+  'its film is not written, only its first picture': '其影片不写入，只写入第一幅画面',
   'stars light': '星空光',
   'authored at rest': '以静止形状制作',
   'lives {} … {} s': '存在于 {1} … {2} s',

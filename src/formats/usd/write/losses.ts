@@ -18,6 +18,9 @@ export function usdLosses(scene: Scene, name: string): readonly Diagnostic[] {
         path,
         msg`its points go along cubics, which USD does not know: their velocities are written, so that reading with cubic interpolation gives them back; other programs go straight`,
       );
+  for (const light of scene.lights)
+    if ('film' in light && light.film)
+      losses.add('warning', 'convert.light', light.path, msg`its film is not written, only its first picture`);
   for (const material of scene.materials) {
     const lost = lostLayers(material);
     if (lost.length > 0)

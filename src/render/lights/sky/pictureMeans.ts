@@ -11,31 +11,32 @@ export const MEAN_SIZE = { width: 64, height: 32 } as const;
 /** Panoramas for each rapidity: L, then L n by the dome's own axes, and L over all of the cone alike. */
 const MOMENTS = 4;
 const PANORAMAS = MOMENTS + 1;
+/** Cosine from which on means over a cone need fewer pixels and axes: of 60° and more. */
+const WIDE_CONE = 0.5;
 
 /** The means of a dome's picture, taken of `source` pixels of it: those of a rapidity side by side, each with a wrapped border of one pixel, one rapidity below the other. */
 export function pictureMeans(
   picture: NonNullable<DomeLight['texture']>,
   source: PictureSize = PREFILTER_SIZE,
 ): HalfTexels {
-  const moments = withMoments(reducedDome(picture, source));
+  const fine = withMoments(reducedDome(picture, source));
+  const coarse = withMoments(reducedDome(picture, { width: source.width / 2, height: source.height / 2 }));
   const [columns, rows] = [MEAN_SIZE.width + 2, MEAN_SIZE.height + 2];
   const width = PANORAMAS * columns;
   const data = new Uint16Array(4 * width * rows * MEAN_RAPIDITIES.count);
   for (let level = 0; level < MEAN_RAPIDITIES.count; level++) {
     const c = coneCosine(level);
-    // Means over wide cones need few axes.
-    coneMeans(moments, Math.min(source.width, c > 0.5 ? MEAN_SIZE.width : MEAN_SIZE.width / 2), c).forEach(
-      (coarse, k) => {
-        const map = resize(coarse, MEAN_SIZE);
-        for (let y = 0; y < rows; y++)
-          for (let x = 0; x < columns; x++) {
-            const from = pixelOffset(map, y - 1, x - 1);
-            const to = 4 * ((level * rows + y) * width + k * columns + x);
-            for (let i = 0; i < 3; i++)
-              data[to + i] = toHalf(Math.min(Math.max(map.rgb[from + i], -MAX_HALF), MAX_HALF));
-          }
-      },
-    );
+    const [map, most] = c > WIDE_CONE ? [fine, MEAN_SIZE.width] : [coarse, MEAN_SIZE.width / 2];
+    coneMeans(map, Math.min(map.width, most), c).forEach((means, k) => {
+      const resized = resize(means, MEAN_SIZE);
+      for (let y = 0; y < rows; y++)
+        for (let x = 0; x < columns; x++) {
+          const from = pixelOffset(resized, y - 1, x - 1);
+          const to = 4 * ((level * rows + y) * width + k * columns + x);
+          for (let i = 0; i < 3; i++)
+            data[to + i] = toHalf(Math.min(Math.max(resized.rgb[from + i], -MAX_HALF), MAX_HALF));
+        }
+    });
   }
   return { data, width };
 }
