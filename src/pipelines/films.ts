@@ -1,4 +1,4 @@
-import { filmedDome, withoutFilm } from '../scene/film/seenFilm.ts';
+import { filmEventOf, filmedDome, withoutFilm } from '../scene/film/seenFilm.ts';
 import type { Scene } from '../scene/types.ts';
 import type { PictureViews } from '../scene/view/pictureViews.ts';
 import { extraBuffers, type RenderSettings } from '../scene/view/view.ts';
@@ -44,10 +44,9 @@ function filmOf(scene: Scene, index: number, { showDome }: PipelineSession, open
   const reader = open(dome, showDome.needsMaps ? meansFor(scene, 'fine') : undefined);
   let shown: SeenDome | undefined;
   return {
-    async show([{ t, position }]: PictureViews, settings: RenderSettings): Promise<void> {
-      const own = index === 0 ? settings : extraBuffers(settings).find((buffer) => buffer.scene === index);
-      const { speedOfLight } = own ?? settings;
-      const seen = await reader.seenAt({ t, position, speedOfLight });
+    async show([view]: PictureViews, settings: RenderSettings): Promise<void> {
+      const own = index === 0 ? undefined : extraBuffers(settings).find((buffer) => buffer.scene === index);
+      const seen = await reader.seenAt(filmEventOf(view, { ...settings, ...own }));
       if (seen !== shown) await showDome.show(index, seen);
       shown = seen;
     },

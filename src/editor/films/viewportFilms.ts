@@ -1,7 +1,8 @@
 import { type FilmReader, meansFor, type SeenDome } from '../../pipelines/filmReader.ts';
 import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
-import { type FilmEvent, filmedDome } from '../../scene/film/seenFilm.ts';
+import { type FilmEvent, filmEventOf, filmedDome } from '../../scene/film/seenFilm.ts';
 import type { Scene } from '../../scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { openFilmInWorker } from './openFilmInWorker.ts';
 
 type Renderer = Pick<InteractiveRenderer, 'showDome'>;
@@ -48,8 +49,9 @@ export class ViewportFilms {
     });
   }
 
-  /** Makes what an event sees. */
-  follow(event: FilmEvent): void {
+  /** Makes what an observer sees. */
+  follow(viewPoint: ViewPoint, settings: RenderSettings): void {
+    const event = filmEventOf(viewPoint, settings);
     for (const film of this.films) {
       film.wanted = event;
       if (!film.busy) void this.update(film);

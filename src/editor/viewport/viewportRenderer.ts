@@ -324,8 +324,7 @@ export class ViewportRenderer {
     const wanted = renderSettings(picture, this.autoExposure.exposure(picture), (kind) =>
       this.autoExposure.scale(kind),
     );
-    const { t, position } = viewPoint;
-    this.films?.follow({ t, position, speedOfLight: wanted.speedOfLight });
+    this.films?.follow(viewPoint, wanted);
     const before = this.requestedView;
     // Metering follows the picture: that it adapts is no change of what is asked for.
     const asked = { viewPoint, settings: renderSettings(picture, 0) };

@@ -8,10 +8,13 @@ import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { makeScene } from '../defaults.ts';
 import { retime } from '../motion/retime.ts';
 import type { DomeLight, DomePicture, Scene } from '../types.ts';
+import { DEFAULT_SETTINGS } from '../view/view.ts';
+import type { View } from '../views/views.ts';
 import { type DomeFilm, filmDuration, frameAt } from './film.ts';
 import {
   type FilmEvent,
   type FilmedDome,
+  filmEventOf,
   filmedDome,
   filmTimeOf,
   framesSeen,
@@ -310,5 +313,19 @@ describe('a scene with a film', () => {
     expect(without).toEqual({ ...scene, lights: [others[0], still, others[2]] });
     expect(filmedDome(without)).toBeUndefined();
     expect(withoutFilm(without)).toBe(without);
+  });
+});
+
+describe('where an observer sees films', () => {
+  it('is his event, and light takes no time in a picture of one instant of the world', () => {
+    const here = { t: 3, position: [7, 0, 0] } as const;
+    const seen = (view: View, lightDelay = true) =>
+      filmEventOf(here, { ...DEFAULT_SETTINGS, speedOfLight: 10, view, lightDelay });
+    expect(seen('light-cone')).toEqual({ ...here, speedOfLight: 10 });
+    for (const instant of [seen('galilean'), seen('light-cone', false)]) {
+      const film = made(even(5, 1));
+      expect(onlyFrameSeen(film, instant)).toBe(3);
+      expect(onlyFrameSeen(film, { ...instant, speedOfLight: 0.5 })).toBeUndefined();
+    }
   });
 });

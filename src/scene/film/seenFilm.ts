@@ -4,6 +4,8 @@ import type { DomeLight, DomePicture } from '../lights/light.ts';
 import { isDomeLight } from '../lights/lightKinds.ts';
 import type { Scene } from '../types.ts';
 import type { PictureSize } from '../view/pictureSize.ts';
+import type { ViewPoint } from '../view/view.ts';
+import { hypersurfaceChoice, type ViewSettings } from '../views/views.ts';
 import { type DomeFilm, filmDuration, frameAt } from './film.ts';
 
 /** A dome with a film. */
@@ -48,8 +50,17 @@ export interface FilmEvent {
   readonly t: number;
   /** World frame [m]. */
   readonly position: Vec3;
-  /** [m/s] */
+  /** [m/s]; ∞: light takes no time. */
   readonly speedOfLight: number;
+}
+
+/** Where an observer sees films. Of pictures of one instant of the world, and of the Galilean view, light takes no time. */
+export function filmEventOf(
+  { t, position }: Pick<ViewPoint, 't' | 'position'>,
+  settings: ViewSettings & { readonly speedOfLight: number },
+): FilmEvent {
+  const isInstant = hypersurfaceChoice(settings).hypersurface === 'now';
+  return { t, position, speedOfLight: isInstant ? Number.POSITIVE_INFINITY : settings.speedOfLight };
 }
 
 /** The one frame that an event sees in all directions; undefined if it may see several. */
