@@ -59,6 +59,7 @@ export default defineConfig({
   root: join(root, 'src/app'),
   base: './',
   publicDir: false,
+  define: { THUMBNAILS: JSON.stringify(namesOfThumbnails()) },
   plugins: [react(), examples(), fonts(), ownDockTheme()],
   worker: {
     format: 'es',
@@ -159,6 +160,10 @@ function describeProject(file: string): Example {
 function thumbnailOf(name: string): Pick<Example, 'thumbnail'> {
   const thumbnail = `thumbnails/${name}.webp`;
   return existsSync(join(examplesFolder, thumbnail)) ? { thumbnail: `examples/${thumbnail}` } : {};
+}
+
+function namesOfThumbnails(): readonly string[] {
+  return filesIn(join(examplesFolder, 'thumbnails'), '').map((file) => file.slice(0, -extname(file).length));
 }
 
 const placeOf = ({ name }: Example): number => (GALLERY.includes(name) ? GALLERY.indexOf(name) : GALLERY.length);

@@ -1,7 +1,7 @@
 import type { LocalizedText } from '../messages/message.ts';
 import type { RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
-import type { OpenFilmReader } from './filmReader.ts';
+import type { OpenFilmReader } from './films/filmReader.ts';
 
 /** Services of a pipeline's environment: the page, one of its workers, or Node. */
 export interface PipelineHost {

@@ -1,5 +1,5 @@
 import { msg } from '../messages/message.ts';
-import { withFilms, withoutFilms } from './films.ts';
+import { withFilms, withoutFilms } from './films/withFilms.ts';
 import type { PipelineHost } from './host.ts';
 import { openOnGpu } from './interactiveSession.ts';
 import { withDefaults } from './options.ts';

@@ -4,7 +4,7 @@ import type { Backend, RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
-import type { SeenDome } from './filmReader.ts';
+import type { SeenDome } from './films/filmReader.ts';
 import type { PipelineHost, ThreadPort } from './host.ts';
 import type { InteractiveRenderer } from './interactiveRenderer.ts';
 import type { OptionValues, OptionValuesOf, PipelineOptions } from './options.ts';

@@ -207,6 +207,27 @@ describe('the page', () => {
     expect(names(styles).toSorted()).toEqual(used.toSorted());
   });
 
+  it('shows the thumbnail of an example until its first picture', async () => {
+    let release = () => {};
+    const released = new Promise<void>((done) => {
+      release = done;
+    });
+    const visit = await program.open(SMALL, {}, async (page) => {
+      await page.route('**/examples/sphere.usdc', async (route) => {
+        await released;
+        await route.continue();
+      });
+    });
+    const poster = visit.page.locator('.sl-poster');
+    await poster.waitFor();
+    await expect.poll(() => poster.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(480);
+    await visit.shot('poster');
+    release();
+    await visit.ready();
+    await poster.waitFor({ state: 'detached' });
+    await visit.close();
+  });
+
   it('loads at most 1 MB, compressed, before its first picture', async () => {
     const asked = new Set<string>();
     const visit = await program.open(SMALL, {}, async (page) => {

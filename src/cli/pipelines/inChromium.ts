@@ -1,7 +1,7 @@
 import { randomUUID } from 'node:crypto';
 import type { Browser, Page } from 'playwright-core';
 import { msg } from '../../messages/message.ts';
-import { withFilms, withoutFilms } from '../../pipelines/films.ts';
+import { withFilms, withoutFilms } from '../../pipelines/films/withFilms.ts';
 import type { HeadlessPage } from '../../pipelines/headlessPage.ts';
 import { assertPictureSize } from '../../pipelines/maxSize.ts';
 import type { PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';

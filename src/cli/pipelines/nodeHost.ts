@@ -1,5 +1,5 @@
+import { makeFilmReader } from '../../pipelines/films/makeFilmReader.ts';
 import type { GpuAccess, PipelineHost } from '../../pipelines/host.ts';
-import { makeFilmReader } from '../../pipelines/makeFilmReader.ts';
 import { openFfmpegFrames } from '../files/ffmpegFrames.ts';
 import { nodeThreads } from './nodeThreads.ts';
 

@@ -1,7 +1,7 @@
 import { transferables } from '../../graph/evaluation/transferables.ts';
 import { messageOf } from '../../messages/messageError.ts';
-import type { FilmReader, SeenDome } from '../../pipelines/filmReader.ts';
-import { makeFilmReader } from '../../pipelines/makeFilmReader.ts';
+import type { FilmReader, SeenDome } from '../../pipelines/films/filmReader.ts';
+import { makeFilmReader } from '../../pipelines/films/makeFilmReader.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { readBlob } from '../loading/readBlob.ts';
 import type { FilmMessage, FilmReply } from './protocol.ts';

@@ -1,6 +1,6 @@
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { MessageError } from '../../messages/messageError.ts';
-import type { OpenFilmReader, SeenDome } from '../../pipelines/filmReader.ts';
+import type { OpenFilmReader, SeenDome } from '../../pipelines/films/filmReader.ts';
 import { workerError } from '../pipelines/workerError.ts';
 import type { FilmMessage, FilmReply } from './protocol.ts';
 

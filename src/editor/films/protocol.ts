@@ -1,5 +1,5 @@
 import type { Message } from '../../messages/message.ts';
-import type { SeenDome } from '../../pipelines/filmReader.ts';
+import type { SeenDome } from '../../pipelines/films/filmReader.ts';
 import type { DomeMeans } from '../../render/lights/sky/domeMaps.ts';
 import type { FilmEvent, FilmedDome } from '../../scene/film/seenFilm.ts';
 

@@ -1,4 +1,4 @@
-import { type FilmReader, meansFor, type SeenDome } from '../../pipelines/filmReader.ts';
+import { type FilmReader, meansFor, type SeenDome } from '../../pipelines/films/filmReader.ts';
 import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
 import { type FilmEvent, filmEventOf, filmedDome } from '../../scene/film/seenFilm.ts';
 import type { Scene } from '../../scene/types.ts';

@@ -15,6 +15,8 @@ export interface Telemetry {
   readonly triangles: number;
   /** Error bound of the displayed picture [px]. */
   readonly tolerance: number;
+  /** Whether there is a picture of this scene. */
+  readonly drawn: boolean;
   /** Whether the next picture waits for samples that are being read. */
   readonly waiting: boolean;
   /** Whether the next picture waits for shaders that are being compiled. */
@@ -32,6 +34,7 @@ export const telemetry = createStore<Telemetry>(() => ({
   gamma: 1,
   triangles: 0,
   tolerance: 0,
+  drawn: false,
   waiting: false,
   preparing: false,
   outside: false,
@@ -42,15 +45,15 @@ let lastUpdate = Number.NEGATIVE_INFINITY;
 /** `now` [ms] is the frame's time stamp. Changes within the interval are published with a later frame. */
 export function updateTelemetry(
   state: ObserverState,
-  drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting' | 'preparing' | 'outside'>,
+  picture: Pick<Telemetry, 'triangles' | 'tolerance' | 'drawn' | 'waiting' | 'preparing' | 'outside'>,
   now: number,
 ): void {
   if (now - lastUpdate < INTERVAL) return;
   lastUpdate = now;
   const g = gamma(state.u);
-  const { triangles, tolerance, waiting, preparing, outside } = drawn;
-  const picture = { triangles, tolerance, waiting, preparing, outside };
-  const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, ...picture };
+  const { triangles, tolerance, drawn, waiting, preparing, outside } = picture;
+  const observed = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g };
+  const next = { ...observed, triangles, tolerance, drawn, waiting, preparing, outside };
   const shown = telemetry.getState();
   if ((Object.keys(next) as (keyof Telemetry)[]).some((key) => next[key] !== shown[key])) telemetry.setState(next);
 }

@@ -11,6 +11,7 @@ import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useLegend, useTelemetry } from '../state/context.tsx';
 import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
+import { Poster } from './Poster.tsx';
 import { useViewportRenderer } from './useViewportRenderer.ts';
 
 /** Loaded when they are first shown. */
@@ -58,6 +59,7 @@ export function Viewport(): ReactNode {
           </Suspense>
         )}
       </div>
+      <Poster />
       {!focused && <StartHint />}
       {colors && (
         <Suspense>

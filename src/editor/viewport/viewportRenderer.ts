@@ -214,8 +214,11 @@ export class ViewportRenderer {
     } else if (this.resolution.isStill) this.accumulate();
     this.pickValue(now);
     const { isOutside: outside } = this.observerController;
-    const drawn = { ...this.renderer.info, waiting: this.isWaiting, preparing: this.compiling, outside };
-    updateTelemetry(this.observerController.observer, this.displayed ? drawn : { ...drawn, triangles: 0 }, now);
+    const drawn = this.displayed !== undefined && !this.isWaiting;
+    const { triangles, tolerance } = this.renderer.info;
+    const picture = { triangles: this.displayed ? triangles : 0, tolerance, drawn };
+    const waits = { waiting: this.isWaiting, preparing: this.compiling, outside };
+    updateTelemetry(this.observerController.observer, { ...picture, ...waits }, now);
   }
 
   /**

@@ -112,7 +112,10 @@ describe('the node Panorama', () => {
     expect([still.scene!.startTime, still.scene!.endTime]).toEqual([0, 2]);
     const later = await lights({ source: 'film.mp4', filmStart: 5, filmEnd: 'repeat' });
     expect(later.lights![0].film).toEqual({ ...FILM.film, start: 5, repeats: true });
-    expect([later.scene!.startTime, later.scene!.endTime]).toEqual([5, 7]);
+    // One that repeats has no end.
+    expect([later.scene!.startTime, later.scene!.endTime]).toEqual([0, 0]);
+    const held = await lights({ source: 'film.mp4', filmStart: 5 });
+    expect([held.scene!.startTime, held.scene!.endTime]).toEqual([5, 7]);
     expect((await lights({ source: 'sky.png', filmStart: 5, filmEnd: 'repeat' })).lights![0].film).toBeUndefined();
   });
 

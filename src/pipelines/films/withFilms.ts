@@ -1,9 +1,9 @@
-import { filmEventOf, filmedDome, withoutFilm } from '../scene/film/seenFilm.ts';
-import type { Scene } from '../scene/types.ts';
-import type { PictureViews } from '../scene/view/pictureViews.ts';
-import { extraBuffers, type RenderSettings } from '../scene/view/view.ts';
+import { filmEventOf, filmedDome, withoutFilm } from '../../scene/film/seenFilm.ts';
+import type { Scene } from '../../scene/types.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
+import { extraBuffers, type RenderSettings } from '../../scene/view/view.ts';
+import type { PictureScenes, PipelineSession } from '../pipeline.ts';
 import { meansFor, type OpenFilmReader, type SeenDome } from './filmReader.ts';
-import type { PictureScenes, PipelineSession } from './pipeline.ts';
 
 /** The scenes as pipelines get them: their domes show the first frame until they are told. */
 export const withoutFilms = ([first, ...others]: PictureScenes): PictureScenes => [

@@ -1,7 +1,7 @@
-import type { OpenFilmFrames } from '../formats/film/filmFrames.ts';
-import { FilmPanorama } from '../formats/film/filmPanorama.ts';
-import { type DomeMeans, domeMaps } from '../render/lights/sky/domeMaps.ts';
-import type { FilmedDome } from '../scene/film/seenFilm.ts';
+import type { OpenFilmFrames } from '../../formats/film/filmFrames.ts';
+import { FilmPanorama } from '../../formats/film/filmPanorama.ts';
+import { type DomeMeans, domeMaps } from '../../render/lights/sky/domeMaps.ts';
+import type { FilmedDome } from '../../scene/film/seenFilm.ts';
 import type { FilmReader, SeenDome } from './filmReader.ts';
 
 /** Reads a film in this thread. `means`: see `OpenFilmReader`; `cacheBytes`: see `FilmPanorama`. */

@@ -1,7 +1,7 @@
-import type { DomeMaps, DomeMeans } from '../render/lights/sky/domeMaps.ts';
-import type { FilmEvent, FilmedDome } from '../scene/film/seenFilm.ts';
-import { isStatic } from '../scene/motion/motion.ts';
-import type { DomePicture, Scene } from '../scene/types.ts';
+import type { DomeMaps, DomeMeans } from '../../render/lights/sky/domeMaps.ts';
+import type { FilmEvent, FilmedDome } from '../../scene/film/seenFilm.ts';
+import { isStatic } from '../../scene/motion/motion.ts';
+import type { DomePicture, Scene } from '../../scene/types.ts';
 
 /** What is seen of a dome's film. */
 export interface SeenDome {
