@@ -1,9 +1,10 @@
 import { toHalf } from '../../../math/half.ts';
 import type { DomeLight } from '../../../scene/types.ts';
 import type { HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
+import { BORDER, writeBordered } from './borderedMap.ts';
 import { type DomeLevel, domeMipmaps } from './domeMipmaps.ts';
 import { pictureMeans } from './pictureMeans.ts';
-import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome } from './prefilteredDome.ts';
+import { type Panorama, PREFILTER_SIZE, prefilterDome } from './prefilteredDome.ts';
 
 /** All that a dome's texture has on the GPU of its picture; plain data, which takes a while to make. */
 export interface DomeMaps {
@@ -36,23 +37,12 @@ export function domeMaps(picture: NonNullable<DomeLight['texture']>, means: Dome
 /** Size of the panorama that means are taken of. */
 const MEAN_SOURCES = { coarse: { width: 32, height: 16 }, fine: PREFILTER_SIZE } as const;
 
-/** Width of the wrapped border of a map [px]. */
-export const BORDER = 1;
-
 /** Panoramas one below the other, with their borders. */
 function stacked(maps: readonly Panorama[]): HalfTexels {
   const [width, height] = [PREFILTER_SIZE.width + 2 * BORDER, PREFILTER_SIZE.height + 2 * BORDER];
-  const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
+  const texels = { data: new Uint16Array(4 * width * height * maps.length).fill(toHalf(1)), width };
   maps.forEach((map, layer) => {
-    for (let y = 0; y < height; y++)
-      for (let x = 0; x < width; x++) {
-        const from = pixelOffset(map, y - BORDER, x - BORDER);
-        const to = 4 * ((layer * height + y) * width + x);
-        for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(map.rgb[from + k], MAX_HALF));
-      }
+    writeBordered(map, texels, 0, layer * height);
   });
-  return { data, width };
+  return texels;
 }
-
-/** The largest finite half-precision number. */
-const MAX_HALF = 65504;

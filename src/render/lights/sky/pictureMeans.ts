@@ -1,9 +1,9 @@
-import { toHalf } from '../../../math/half.ts';
 import { directionFromLatLong } from '../../../scene/lights/latLong.ts';
 import type { DomeLight } from '../../../scene/types.ts';
 import type { PictureSize } from '../../../scene/view/pictureSize.ts';
 import type { HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
-import { type Panorama, PREFILTER_SIZE, pixelOffset, reducedDome, resize } from './prefilteredDome.ts';
+import { BORDER, writeBordered } from './borderedMap.ts';
+import { type Panorama, PREFILTER_SIZE, reducedDome, resize } from './prefilteredDome.ts';
 import { coneCosine, MEAN_RAPIDITIES } from './skyMeans.ts';
 
 /** Size of the panoramas of means, by axis. */
@@ -21,28 +21,18 @@ export function pictureMeans(
 ): HalfTexels {
   const fine = withMoments(reducedDome(picture, source));
   const coarse = withMoments(reducedDome(picture, { width: source.width / 2, height: source.height / 2 }));
-  const [columns, rows] = [MEAN_SIZE.width + 2, MEAN_SIZE.height + 2];
+  const [columns, rows] = [MEAN_SIZE.width + 2 * BORDER, MEAN_SIZE.height + 2 * BORDER];
   const width = PANORAMAS * columns;
-  const data = new Uint16Array(4 * width * rows * MEAN_RAPIDITIES.count);
+  const texels = { data: new Uint16Array(4 * width * rows * MEAN_RAPIDITIES.count), width };
   for (let level = 0; level < MEAN_RAPIDITIES.count; level++) {
     const c = coneCosine(level);
     const [map, most] = c > WIDE_CONE ? [fine, MEAN_SIZE.width] : [coarse, MEAN_SIZE.width / 2];
     coneMeans(map, Math.min(map.width, most), c).forEach((means, k) => {
-      const resized = resize(means, MEAN_SIZE);
-      for (let y = 0; y < rows; y++)
-        for (let x = 0; x < columns; x++) {
-          const from = pixelOffset(resized, y - 1, x - 1);
-          const to = 4 * ((level * rows + y) * width + k * columns + x);
-          for (let i = 0; i < 3; i++)
-            data[to + i] = toHalf(Math.min(Math.max(resized.rgb[from + i], -MAX_HALF), MAX_HALF));
-        }
+      writeBordered(resize(means, MEAN_SIZE), texels, k * columns, level * rows);
     });
   }
-  return { data, width };
+  return texels;
 }
-
-/** The largest finite half-precision number. */
-const MAX_HALF = 65504;
 
 /** Numbers per pixel of L and L n. */
 const CHANNELS = 3 * MOMENTS;
