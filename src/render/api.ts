@@ -1,9 +1,9 @@
 import type { Scene } from '../scene/types.ts';
-import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { LightMeterReadings, MeteredQuantities } from '../scene/view/metering.ts';
 import type { PictureViews } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import type { DomeMaps } from './lights/sky/domeMaps.ts';
-import type { BesideOptions, PickResult, RendererInfo, Sampling } from './settings.ts';
+import type { BesideOptions, PickResult, RendererInfo, Sampling, ShadingChoice } from './settings.ts';
 
 /**
  * The renderer as a page, a command line and a benchmark use it; `SceneRenderer` (renderer.ts) implements it:
@@ -16,6 +16,8 @@ export interface RasterRenderer {
   readonly width: number;
   /** Of the picture [px]. */
   readonly height: number;
+  /** Of the next pictures; `deferred` at first. */
+  shading: ShadingChoice;
   /** Uploads a scene and releases the previous one; the scene is not changed and may be shared. `others`: scenes 1, 2 … of a frame graph's extra G-buffers. */
   setScene(scene: Scene, others?: readonly Scene[]): Promise<void>;
   /** Shows another picture of the dome of a scene (its index; default 0), of the same size, from the next picture on: that of a film. */
@@ -42,8 +44,8 @@ export interface RasterRenderer {
   readPixels(): Promise<Uint8Array>;
   /** An AOV of the last picture, with as many values per pixel as it has channels. */
   readAov(name: AovName): Promise<Float32Array>;
-  /** Samples the last picture at `METER_CELLS` × `METER_CELLS` positions, for automatic exposure and false-colour scales. */
-  measureLight(): Promise<LightMeterReadings>;
+  /** Samples the last picture at `METER_CELLS` × `METER_CELLS` positions, for automatic exposure and false-colour scales. `quantities`: default all. */
+  measureLight(quantities?: MeteredQuantities): Promise<LightMeterReadings>;
   /** What the last picture shows at a pixel (from the top left); undefined outside its views. */
   pick(x: number, y: number): Promise<PickResult | undefined>;
   /**

@@ -11,10 +11,10 @@ import { blendedRange, type LightRange } from './gpu/lightRange.ts';
 import type { PassCache } from './gpu/passCache.ts';
 import type { LayeredPass } from './layers/layeredScene.ts';
 import { AmbientOcclusion } from './occlusion/ambientOcclusion.ts';
-import { drawOpaque, type GBufferView, setMaterial } from './opaqueGeometry.ts';
+import { drawOpaque, drawOverTarget, type GBufferView, setMaterial } from './opaqueGeometry.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 import { backgroundPass, glassBackground } from './shading/glassBackground.ts';
-import { forwardMaterial, lightingPass, skyPass } from './shading/passes.ts';
+import { type ForwardLighting, lightingPass, skyPass, transparentMaterial } from './shading/passes.ts';
 
 /** Default radius of ambient occlusion, as a fraction of the scene's radius. */
 const RELATIVE_OCCLUSION_RADIUS = 1 / 4;
@@ -118,10 +118,8 @@ export class DeferredPass {
       region: 'sky',
     });
     const key = `${projection.event} ${projection.place} ${colorVariant} ${lighting.shadows} ${buffer.depth.id}`;
-    const layeredPass: LayeredPass = {
-      ...{ key, projection, buffer, environment, pipeline: optics, range },
-      ...(shadows && { shadows }),
-    };
+    const lit: ForwardLighting = { projection, environment, pipeline: optics, range, ...(shadows && { shadows }) };
+    const layeredPass: LayeredPass = { ...lit, key, buffer };
     if (this.hasSurfaces) {
       const openness = lighting.occlusionRadius === 0 ? undefined : this.openness(lighting.occlusionRadius).texture;
       passes.run(
@@ -132,10 +130,10 @@ export class DeferredPass {
       );
       upload.layered?.drawSurfaces(
         { ...layeredPass, key: `${key} ${openness !== undefined}`, ...(openness && { openness }) },
-        (layers) => this.drawOver(light, layers, camera),
+        (layers) => drawOverTarget(this.gpu, light, layers, camera),
       );
     }
-    if (upload.stars) this.drawOver(light, upload.stars.scene, camera);
+    if (upload.stars) drawOverTarget(this.gpu, light, upload.stars.scene, camera);
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     const isGlass = upload.drawCalls.some(({ batch, mesh }) => batch.layered?.transmission && mesh.visible);
     const background = isGlass ? this.copyBackground(light) : light.texture;
@@ -147,11 +145,9 @@ export class DeferredPass {
           upload.layered!.glassMaterial(drawCall, layeredPass, background),
         );
       else
-        setMaterial(drawCall, `forward ${key}`, () =>
-          forwardMaterial(drawCall, projection, buffer, upload.environment, optics, range, shadows),
-        );
+        setMaterial(drawCall, `forward ${key}`, () => transparentMaterial(drawCall, lit, buffer));
     }
-    this.drawOver(light, upload.transparent, camera);
+    drawOverTarget(this.gpu, light, upload.transparent, camera);
   }
 
   /** The light so far, which is seen through glass. */
@@ -191,15 +187,6 @@ export class DeferredPass {
     this.occlusion.dispose();
     for (const light of this.lightTargets) light.dispose();
     this.background?.dispose();
-  }
-
-  /** Draws without clearing the target. */
-  private drawOver(light: RenderTarget, scene: Scene, camera: PerspectiveCamera): void {
-    const { renderer } = this.gpu;
-    renderer.autoClear = false;
-    renderer.setRenderTarget(light);
-    renderer.render(scene, camera);
-    renderer.autoClear = true;
   }
 }
 

@@ -1,13 +1,14 @@
 import type { PerspectiveCamera, RenderTarget } from 'three/webgpu';
 import { UnsignedByteType } from 'three/webgpu';
 import { type FrameGraph, frameGraphStructure, includesToneMapping } from '../scene/frameGraph/frameGraph.ts';
-import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { LightMeterReadings, MeteredQuantities } from '../scene/view/metering.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import type { FalseColorScale } from '../spectrum/falseColor/falseColor.ts';
 import type { Capture } from './capture/capture.ts';
 import { ColorPipelines } from './color/colorPipelines.ts';
 import { type BufferLight, DeferredPass } from './deferredPass.ts';
+import { ForwardPass } from './forwardPass.ts';
 import type { FrameGraphRunner, PassListener } from './frameGraph/frameGraphRunner.ts';
 import { dataTarget, type GBuffer } from './gbuffer/gbuffer.ts';
 import { PixelReader } from './gbuffer/pixelReader.ts';
@@ -43,6 +44,7 @@ export class FrameRenderer {
   private readonly colorPipelines = new ColorPipelines();
   private readonly lightMeter: LightMeter;
   private readonly pixelReader: PixelReader;
+  private readonly forwardPass: ForwardPass;
   /** By G-buffer; the first is that of the picture's own settings. */
   private readonly deferredPasses: DeferredPass[] = [];
   /** Of one face of a panoramic picture at a time. */
@@ -56,7 +58,7 @@ export class FrameRenderer {
   private size = { width: 1, height: 1 };
   private faceSize = { width: 1, height: 1 };
   /** Light of the last sample. */
-  private light: RenderTarget;
+  private lastLight: RenderTarget | undefined;
   displayState: DisplayState = { tone: 'neutral', grid: false, hasStars: false, hasUnlit: false, antialiasing: true };
   /** Number of samples whose mean is the light. */
   samples = 1;
@@ -66,7 +68,7 @@ export class FrameRenderer {
     this.parts = parts;
     this.uniforms = uniforms;
     this.passes = new PassCache(gpu.renderer);
-    this.light = this.deferredPass(0).light();
+    this.forwardPass = new ForwardPass(gpu, uniforms, this.colorPipelines, this.passes);
     const light = () => this.light.texture;
     this.antialiasing = new Antialiasing({
       light,
@@ -76,6 +78,10 @@ export class FrameRenderer {
     });
     this.lightMeter = new LightMeter(gpu, this.buffer, uniforms);
     this.pixelReader = new PixelReader(gpu, this.buffer, this.passes);
+  }
+
+  private get light(): RenderTarget {
+    return this.lastLight ?? this.deferredPass(0).light();
   }
 
   get buffer(): GBuffer {
@@ -88,8 +94,15 @@ export class FrameRenderer {
 
   setSize(width: number, height: number): void {
     this.size = { width, height };
-    for (const sized of [...this.deferredPasses, ...this.runners.values(), this.screen, this.antialiasing])
+    const { deferredPasses, forwardPass, runners, screen, antialiasing } = this;
+    for (const sized of [...deferredPasses, forwardPass, ...runners.values(), screen, antialiasing])
       sized.setSize(width, height);
+  }
+
+  /** Draws one sample of a picture that needs no G-buffer. */
+  drawForward({ views: [{ view, bind }], camera }: PictureSample): void {
+    bind();
+    this.lastLight = this.forwardPass.draw(view, camera);
   }
 
   /** Draws one sample of a picture: its G-buffers, their light and the frame graph; `onPass` is called after each of its passes. */
@@ -107,7 +120,7 @@ export class FrameRenderer {
     const whole = views.map((view, i) => (isGathered(i) ? undefined : view));
     drawSurfaces(whole, lights, camera, (i) => this.deferredPass(i));
     if (isGathered(0)) views[0].bind();
-    this.light = runner ? runner.draw(frameGraph, sample, onPass) : this.deferredPass(0).light();
+    this.lastLight = runner ? runner.draw(frameGraph, sample, onPass) : this.deferredPass(0).light();
   }
 
   /** Draws a face with its light, and gathers what the picture shows of it. `over`: it is not the first. */
@@ -122,8 +135,6 @@ export class FrameRenderer {
     this.gatherer ??= new this.parts.faces.FaceGatherer(this.uniforms, this.passes);
     const { gatherer } = this;
     const own = lights.map((light) => ({ ...light, lighting: { ...light.lighting, occlusionRadius: 0 } }));
-    // Made before the G-buffer is drawn, as `DeferredPass.light` demands.
-    for (const { buffer, index } of own) this.facePass(buffer).light(index);
     drawSurfaces(views, own, camera, (i) => this.facePass(i));
     gatherer.setFace(face, position);
     views.forEach((view, i) => {
@@ -239,12 +250,12 @@ export class FrameRenderer {
     return this.pixelReader.read(target.textures[index], x, y);
   }
 
-  /** Samples the picture at positions spread over it; c [m/s]. */
-  measureLight(c: number): Promise<LightMeterReadings> {
+  /** Samples the picture at positions spread over it; c [m/s]. Only luminance does not need the G-buffer. */
+  measureLight(c: number, quantities: MeteredQuantities): Promise<LightMeterReadings> {
     const { target, index } = includesToneMapping(this.displayState.frameGraph)
       ? { target: this.deferredPass(0).light(), index: 0 }
       : this.beauty();
-    return this.lightMeter.measure(target.textures[index], target.width, target.height, c);
+    return this.lightMeter.measure(target.textures[index], target, c, quantities);
   }
 
   /** Releases the passes that read a scene, and the history. */
@@ -256,6 +267,7 @@ export class FrameRenderer {
 
   dispose(): void {
     for (const owned of [
+      this.forwardPass,
       ...this.deferredPasses,
       ...this.facePasses,
       ...this.captures.filter(Boolean),
@@ -282,7 +294,10 @@ function drawSurfaces(
     const { view, bind } = bound;
     bind();
     const pass = passOf(buffer);
+    const own = lights.filter((light) => light.buffer === buffer);
+    // Made before the G-buffer is drawn, as `DeferredPass.light` demands.
+    for (const { index } of own) pass.light(index);
     pass.drawGeometry(view, camera);
-    for (const light of lights) if (light.buffer === buffer) pass.drawLight(view, camera, light.lighting, light.index);
+    for (const { lighting, index } of own) pass.drawLight(view, camera, lighting, index);
   }
 }

@@ -16,4 +16,6 @@ export type {
   RendererInfo,
   RendererOptions,
   Sampling,
+  Shading,
+  ShadingChoice,
 } from './settings.ts';

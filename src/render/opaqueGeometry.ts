@@ -1,4 +1,4 @@
-import type { PerspectiveCamera } from 'three/webgpu';
+import type { PerspectiveCamera, RenderTarget, Scene } from 'three/webgpu';
 import type { RenderSettings } from '../scene/view/view.ts';
 import type { DrawCall } from './gbuffer/drawCall.ts';
 import type { GBuffer } from './gbuffer/gbuffer.ts';
@@ -32,6 +32,14 @@ export function drawOpaque(
     renderer.setRenderTarget(target);
     renderer.render(upload.opaque, camera);
   }
+  renderer.autoClear = true;
+}
+
+/** Draws without clearing the target. */
+export function drawOverTarget({ renderer }: Gpu, target: RenderTarget, scene: Scene, camera: PerspectiveCamera): void {
+  renderer.autoClear = false;
+  renderer.setRenderTarget(target);
+  renderer.render(scene, camera);
   renderer.autoClear = true;
 }
 

@@ -194,7 +194,7 @@ class PreviewTargets {
   }
 
   private async luminance(image: RenderTarget, c: number): Promise<Preview> {
-    const { luminance } = await this.lightMeter.measure(image.texture, image.width, image.height, c);
+    const { luminance } = await this.lightMeter.measure(image.texture, image, c, 'luminance');
     return luminance;
   }
 }

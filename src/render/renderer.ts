@@ -1,7 +1,7 @@
 import { contentKey, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
 import { isPanoramic } from '../scene/view/lenses/lenses.ts';
-import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
+import { type LightMeterReadings, type MeteredQuantities, mergeReadings } from '../scene/view/metering.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import {
   assertViewports,
@@ -26,7 +26,16 @@ import { SceneBufferPool } from './sceneBuffers.ts';
 import { loadSceneParts, type SceneParts } from './sceneParts.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import { SceneUploads } from './sceneUploads.ts';
-import type { BesideOptions, PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
+import type {
+  BesideOptions,
+  PickResult,
+  RendererInfo,
+  RendererOptions,
+  Sampling,
+  Shading,
+  ShadingChoice,
+} from './settings.ts';
+import { shadingOf } from './shading/shadingMode.ts';
 import { ViewCompositor } from './viewCompositor.ts';
 import { canAccumulate, ViewRenderer } from './viewRenderer.ts';
 
@@ -36,6 +45,14 @@ export interface RenderContext {
   readonly frameSetup: FrameSetup;
   readonly parts: PictureParts;
   readonly buffers: ViewBuffers;
+}
+
+/** What a picture is drawn of. */
+interface PictureRequest {
+  readonly views: PictureViews;
+  readonly settings: RenderSettings;
+  readonly mode: AntialiasingMode;
+  readonly shading: ShadingChoice;
 }
 
 interface IncompletePicture {
@@ -65,6 +82,7 @@ const NOTHING_DRAWN = { viewsDrawn: 0, objectsDrawn: 0 };
  * }
  */
 export class SceneRenderer implements RasterRenderer {
+  shading: ShadingChoice = 'deferred';
   private readonly gpu: Gpu;
   private readonly bufferPool: SceneBufferPool;
   private readonly ownsGpu: boolean;
@@ -76,8 +94,7 @@ export class SceneRenderer implements RasterRenderer {
   private readonly uploads: SceneUploads;
   /** By index of the view in the picture. */
   private readonly viewRenderers: ViewRenderer[];
-  /** Of the last picture. */
-  private views: PictureViews | undefined;
+  private last: PictureRequest | undefined;
   /** A picture whose next view waits for motion samples from files; it is resumed there when it is requested again. */
   private incomplete: IncompletePicture | undefined;
   /** Keys of pictures whose shaders are compiled. */
@@ -128,6 +145,7 @@ export class SceneRenderer implements RasterRenderer {
     return {
       backend: gpu.backend,
       maxTextureSize: gpu.maxTextureSize,
+      shading: this.viewRenderers[0].shading,
       objects: first?.bodies.length ?? 0,
       triangles: first?.tessellator.triangleCount ?? 0,
       tolerance: first?.tessellator.achievedTolerance ?? 0,
@@ -168,15 +186,24 @@ export class SceneRenderer implements RasterRenderer {
     // Another speed of light may need another upload first.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
     if (!this.pictureParts.isReady(views, settings)) return this.pictureParts.load(views, settings);
-    const mode = antialiasingModeOf(views, settings, sampling);
-    if (this.compiled.has(shaderKey(views, settings, mode, uploads.of(settings)))) return undefined;
-    this.precompiling ??= this.compile(views, settings, mode).finally(() => {
+    return this.compileMissing(this.requestOf(views, settings, sampling));
+  }
+
+  private requestOf(views: PictureViews, settings: RenderSettings, sampling: Sampling): PictureRequest {
+    return { views, settings, mode: antialiasingModeOf(views, settings, sampling), shading: this.shading };
+  }
+
+  /** As `precompile`. */
+  private compileMissing(request: PictureRequest): Promise<void> | undefined {
+    if (this.compiled.has(this.shaderKey(request))) return undefined;
+    this.precompiling ??= this.compile(request).finally(() => {
       this.precompiling = undefined;
     });
     return this.precompiling;
   }
 
-  private async compile(views: PictureViews, settings: RenderSettings, mode: AntialiasingMode): Promise<void> {
+  private async compile(request: PictureRequest): Promise<void> {
+    const { views, settings, mode, shading } = request;
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
     const prepared = pictures.every((buffers, i) => this.viewRenderer(i).prepare(buffers, rects[i]));
@@ -184,12 +211,25 @@ export class SceneRenderer implements RasterRenderer {
     const target = this.toCanvas && isWholePicture(views) ? 'canvas' : 'screen';
     const draw = (): void => {
       pictures.forEach((buffers, i) => {
-        this.viewRenderer(i).traversePasses(buffers, mode, target);
+        this.viewRenderer(i).traversePasses(buffers, mode, target, shadingOf(shading, buffers, mode));
       });
     };
-    const shaders = shaderKey(views, settings, mode, this.uploads.of(settings));
+    const shaders = this.shaderKey(request);
     // Also after a failure: a shader that does not compile is reported when it is used.
     await precompile(this.gpu.renderer, draw, this.disposal.signal).finally(() => this.compiled.add(shaders));
+  }
+
+  /** Compiles what draws the G-buffers of the last picture, if that was drawn without. */
+  private async compileGBuffers(): Promise<void> {
+    const { last } = this;
+    if (!last || this.drawnViews.every(({ shading }) => shading === 'deferred')) return;
+    await this.precompiling;
+    await this.compileMissing({ ...last, shading: 'deferred' });
+  }
+
+  private shaderKey({ views, settings, mode, shading }: PictureRequest): string {
+    const shadings = this.buffersOf(views, settings).map((buffers) => shadingOf(shading, buffers, mode));
+    return shaderKey(views, settings, mode, shadings, this.uploads.of(settings));
   }
 
   render(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): void {
@@ -199,7 +239,8 @@ export class SceneRenderer implements RasterRenderer {
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
     if (pictures.length === 0) return;
-    const mode = antialiasingModeOf(views, settings, sampling);
+    const drawn = this.requestOf(views, settings, sampling);
+    const { mode, shading } = drawn;
     const canWait = pictures.length > 1 && this.uploads.isStreamed;
     const request = canWait ? contentKey([views, settings, sampling]) : undefined;
     const resumed = canWait && this.incomplete?.request === request ? this.incomplete : undefined;
@@ -215,16 +256,16 @@ export class SceneRenderer implements RasterRenderer {
         if (request !== undefined) this.incomplete = { request, viewsDrawn, objectsDrawn };
         return;
       }
-      view.draw(buffers, mode, sampling);
+      view.draw(buffers, mode, sampling, shadingOf(shading, buffers, mode));
       viewsDrawn++;
       objectsDrawn += visible.filter(Boolean).length;
     }
-    this.views = views;
+    this.last = drawn;
     // A picture that is being compiled may have more views, and more G-buffers.
     if (!this.precompiling) for (const unused of this.viewRenderers.splice(views.length)) unused.dispose();
     if (this.toCanvas) this.presentOnCanvas();
     this.lastDraw = { objectsDrawn, milliseconds: performance.now() - start };
-    this.compiled.add(shaderKey(views, settings, mode, this.uploads.of(settings)));
+    this.compiled.add(this.shaderKey(drawn));
     if (!this.precompiling) this.uploads.trim(pictures[0].length);
     // Trimming may have cleared the views' last buffers, but this picture's uploads are still there.
     pictures.forEach((buffers, i) => {
@@ -258,12 +299,12 @@ export class SceneRenderer implements RasterRenderer {
 
   /** Those of the last picture; one that is being compiled may have more. */
   private get drawnViews(): readonly ViewRenderer[] {
-    return this.viewRenderers.slice(0, this.views?.length ?? 1);
+    return this.viewRenderers.slice(0, this.last?.views.length ?? 1);
   }
 
   private presentOnCanvas(): void {
-    const { drawnViews, views } = this;
-    if (views && isWholePicture(views)) drawnViews[0].presentOnCanvas();
+    const { drawnViews, last } = this;
+    if (last && isWholePicture(last.views)) drawnViews[0].presentOnCanvas();
     else this.compositor.present(drawnViews.map((view) => ({ target: view.present(), rect: view.viewport })));
   }
 
@@ -282,7 +323,8 @@ export class SceneRenderer implements RasterRenderer {
     );
   }
 
-  readAov(name: AovName): Promise<Float32Array> {
+  async readAov(name: AovName): Promise<Float32Array> {
+    await this.compileGBuffers();
     const { length: channels } = AOVS[name].channels;
     const empty = () => new Float32Array(channels * this.width * this.height);
     return this.readViews((view) => view.readAov(name), channels, empty);
@@ -294,7 +336,7 @@ export class SceneRenderer implements RasterRenderer {
     channels: number,
     background: () => Values,
   ): Promise<Values> {
-    if (!this.views || isWholePicture(this.views)) return read(this.viewRenderers[0]);
+    if (!this.last || isWholePicture(this.last.views)) return read(this.viewRenderers[0]);
     const parts: { rect: PixelRect; values: Values }[] = [];
     for (const view of this.drawnViews) parts.push({ rect: view.viewport, values: await read(view) });
     return composeViews(parts, this.size, channels, background());
@@ -302,14 +344,16 @@ export class SceneRenderer implements RasterRenderer {
 
   async pick(x: number, y: number): Promise<PickResult | undefined> {
     const upload = this.uploads.first;
-    const found = this.views && viewPixelAt(this.views, this.size, x, y);
+    const found = this.last && viewPixelAt(this.last.views, this.size, x, y);
     if (!upload || !found) return undefined;
+    await this.compileGBuffers();
     return this.viewRenderers[found.index].pick(upload, Math.floor(found.x), Math.floor(found.y));
   }
 
-  async measureLight(): Promise<LightMeterReadings> {
+  async measureLight(quantities: MeteredQuantities = 'all'): Promise<LightMeterReadings> {
+    if (quantities === 'all') await this.compileGBuffers();
     const parts: { rect: PixelRect; readings: LightMeterReadings }[] = [];
-    for (const view of this.drawnViews) parts.push({ rect: view.viewport, readings: await view.measureLight() });
+    for (const view of this.drawnViews) parts.push({ rect: view.viewport, readings: await view.measureLight(quantities) });
     return mergeReadings(parts, this.size);
   }
 
@@ -360,6 +404,7 @@ function shaderKey(
   views: PictureViews,
   settings: RenderSettings,
   mode: AntialiasingMode,
+  shadings: readonly Shading[],
   uploads: readonly SceneUpload[],
 ): string {
   const { tone, grid, falseColors, shadows, occlusionRadius, frameGraph, ghost, pastFuture } = settings;
@@ -371,5 +416,5 @@ function shaderKey(
   const shape = frameGraph && frameGraphStructure(frameGraph);
   const display = [tone, grid, ghost !== 'none', pastFuture, falseColors?.kind ?? mode];
   const lenses = views.map(({ lens }) => isPanoramic(lens)).join(' ');
-  return [...buffers, lenses, shadows, occlusionRadius !== 0, ...display, shape].join(' ');
+  return [...buffers, lenses, ...shadings, shadows, occlusionRadius !== 0, ...display, shape].join(' ');
 }

@@ -33,6 +33,15 @@ export interface PickedSurface {
  */
 export type Sampling = number | 'temporal';
 
+/**
+ * How light is computed: `deferred`, of a G-buffer, which holds all that effects, AOVs, ambient occlusion and false colours read; `forward`, in the pass that
+ * draws the surfaces, at about half of the cost on a slow machine.
+ */
+export type Shading = 'deferred' | 'forward';
+
+/** `auto`: forward where nothing of a picture reads a G-buffer; what reads one later, as `pick` and `readAov`, draws it then. */
+export type ShadingChoice = 'auto' | 'deferred';
+
 /** Most views of a picture: `ViewCompositor` reads one texture of each in one pass, and WebGL2 and WebGPU guarantee 16. */
 export const MAX_VIEWS = 16;
 
@@ -83,6 +92,8 @@ export type BesideOptions = Omit<RendererOptions, 'canvas' | 'device' | 'backend
 export interface RendererInfo {
   /** What draws. */
   readonly backend: Backend;
+  /** Of the first view of the last frame. */
+  readonly shading: Shading;
   /** Drawn in the last frame, after culling. */
   readonly triangles: number;
   /** Largest distance of straight edges from the curves that they approximate in the last frame [px]; more than requested if there would be too many patches. */

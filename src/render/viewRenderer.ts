@@ -1,5 +1,5 @@
 import type { RenderTarget } from 'three/webgpu';
-import { type LightMeterReadings, readingsInPicture } from '../scene/view/metering.ts';
+import { type LightMeterReadings, type MeteredQuantities, readingsInPicture } from '../scene/view/metering.ts';
 import type { PixelRect } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import type { Capture } from './capture/capture.ts';
@@ -12,7 +12,7 @@ import type { PictureParts } from './pictureParts.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
 import { gridPositions, haltonPosition, PIXEL_CENTER, type SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
-import type { PickResult, Sampling } from './settings.ts';
+import type { PickResult, Sampling, Shading } from './settings.ts';
 
 /** From this sample count on, the mean of the samples beats FXAA. */
 const MIN_MEAN_SAMPLES = 8;
@@ -28,6 +28,9 @@ export class ViewRenderer {
   private lastBuffers: ViewBuffers | undefined;
   private lastObservation: Observation | undefined;
   private samplePosition: SamplePosition = PIXEL_CENTER;
+  /** Of the last picture, and of the last sample. */
+  private pictureShading: Shading = 'deferred';
+  private sampleShading: Shading = 'deferred';
   /** Samples that `accumulate` has added to the last picture. */
   private addedSamples = 0;
   private frameCount = 0;
@@ -41,6 +44,10 @@ export class ViewRenderer {
 
   get viewport(): PixelRect {
     return this.rect;
+  }
+
+  get shading(): Shading {
+    return this.pictureShading;
   }
 
   get hasPicture(): boolean {
@@ -69,8 +76,9 @@ export class ViewRenderer {
   }
 
   /** Draws buffers that `prepare` has prepared. */
-  draw(buffers: ViewBuffers, mode: AntialiasingMode, sampling: Sampling): void {
+  draw(buffers: ViewBuffers, mode: AntialiasingMode, sampling: Sampling, shading: Shading): void {
     this.lastBuffers = buffers;
+    this.pictureShading = shading;
     this.frameRenderer.trimCaptures(buffers.map(({ capture }) => capture !== undefined));
     this.addedSamples = 0;
     if (mode === 'temporal') this.drawTemporal(buffers);
@@ -79,8 +87,8 @@ export class ViewRenderer {
   }
 
   /** Runs all passes of a picture and of its accumulation in drawing order, so that `precompile` finds their shaders. */
-  traversePasses(buffers: ViewBuffers, mode: AntialiasingMode, target: 'canvas' | 'screen'): void {
-    this.drawBuffers(buffers, PIXEL_CENTER);
+  traversePasses(buffers: ViewBuffers, mode: AntialiasingMode, target: 'canvas' | 'screen', shading: Shading): void {
+    this.drawBuffers(buffers, PIXEL_CENTER, shading);
     // Nothing has been drawn.
     this.frameRenderer.resetCaptures();
     this.frameRenderer.runDisplayPasses(mode, buffers[0].projection, target);
@@ -138,11 +146,11 @@ export class ViewRenderer {
     return pickedPixel(await this.frameRenderer.readPixel(x, y), observation, pathOf);
   }
 
-  async measureLight(): Promise<LightMeterReadings> {
-    this.drawPixelCenters();
+  async measureLight(quantities: MeteredQuantities): Promise<LightMeterReadings> {
+    this.drawPixelCenters(quantities === 'luminance' ? this.sampleShading : 'deferred');
     this.bind();
     const lens = this.lastBuffers?.[0].viewPoint.lens;
-    const readings = await this.frameRenderer.measureLight(this.requireObservation().c);
+    const readings = await this.frameRenderer.measureLight(this.requireObservation().c, quantities);
     return lens ? readingsInPicture(readings, lens, this.rect) : readings;
   }
 
@@ -211,24 +219,33 @@ export class ViewRenderer {
   }
 
   /** `footprint`: as the uniform. */
-  private drawSample(buffers: ViewBuffers, position: SamplePosition, footprint = 1): void {
+  private drawSample(
+    buffers: ViewBuffers,
+    position: SamplePosition,
+    footprint = 1,
+    shading: Shading = this.pictureShading,
+  ): void {
     const { uniforms } = this.frameSetup;
     uniforms.footprint.value = footprint;
-    this.drawBuffers(buffers, position);
+    this.drawBuffers(buffers, position, shading);
     uniforms.footprint.value = 1;
     this.samplePosition = position;
+    this.sampleShading = shading;
   }
 
   /** Draws the prepared buffers, sampled at one position within each pixel. */
-  private drawBuffers(buffers: ViewBuffers, position: SamplePosition): void {
-    this.frameRenderer.draw(this.frameSetup.sample(buffers, position, this.rect, this.parts));
+  private drawBuffers(buffers: ViewBuffers, position: SamplePosition, shading: Shading): void {
+    const sample = this.frameSetup.sample(buffers, position, this.rect, this.parts);
+    if (shading === 'forward') this.frameRenderer.drawForward(sample);
+    else this.frameRenderer.draw(sample);
   }
 
-  /** Draws the last picture at the pixels' centres: data that is read back is never averaged. */
-  private drawPixelCenters(): void {
+  /** Draws the last picture at the pixels' centres, by default with its G-buffer: data that is read back is never averaged. */
+  private drawPixelCenters(shading: Shading = 'deferred'): void {
     const [x, y] = this.samplePosition;
-    const buffers = x === 0 && y === 0 ? undefined : this.restore();
-    if (buffers) this.drawSample(buffers, PIXEL_CENTER);
+    const isDrawn = x === 0 && y === 0 && this.sampleShading === shading;
+    const buffers = isDrawn ? undefined : this.restore();
+    if (buffers) this.drawSample(buffers, PIXEL_CENTER, 1, shading);
   }
 
   private requireObservation(): Observation {

@@ -48,7 +48,7 @@ export { domeLens, type FisheyeLens } from './view/lenses/fisheyeLens.ts';
 export type { Lens, PanoramicLens } from './view/lenses/lenses.ts';
 export { type FrustumSides, offAxisLens, type PerspectiveLens, perspective } from './view/lenses/perspectiveLens.ts';
 export type { StereoLens } from './view/lenses/stereoLens.ts';
-export type { LightMeterReadings } from './view/metering.ts';
+export type { LightMeterReadings, MeteredQuantities } from './view/metering.ts';
 export type { Orbit, OutsideCamera } from './view/outsideCamera.ts';
 export { orbitCamera } from './view/outsideCamera.ts';
 export type { PictureSize } from './view/pictureSize.ts';

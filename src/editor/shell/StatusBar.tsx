@@ -203,6 +203,33 @@ function Machine(): ReactNode {
       <Text size="xs" className="sl-status-item" c="dimmed" data-status="backend">
         {name}
       </Text>
+      <ShadingButton />
     </>
+  );
+}
+
+const SHADINGS = { forward: msg`Forward shading`, deferred: msg`Deferred shading` } as const;
+
+/** Says how the picture is shaded; pressed: always with a G-buffer, for comparison. */
+function ShadingButton(): ReactNode {
+  const { t } = useTexts();
+  const editor = useEditor();
+  const choice = useEditorState((state) => state.shading);
+  const shading = useTelemetry((live) => live.shading);
+  const help = msg`Forward: light is computed while surfaces are drawn. Deferred: of a G-buffer, which ambient occlusion and effects read. Click: always deferred.`;
+  return (
+    <Tooltip label={t(help)} openDelay={300} multiline w={280}>
+      <UnstyledButton
+        className="sl-status-item sl-status-button"
+        data-status="shading"
+        data-shading={shading}
+        aria-pressed={choice === 'deferred'}
+        onClick={() => editor.update({ shading: choice === 'auto' ? 'deferred' : 'auto' })}
+      >
+        <Text size="xs" c="dimmed">
+          {t(SHADINGS[shading])}
+        </Text>
+      </UnstyledButton>
+    </Tooltip>
   );
 }

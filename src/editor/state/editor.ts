@@ -28,7 +28,7 @@ import { newProject, openFileCommand, setParamCommand } from '../../nodes/projec
 import { shaderTextFaults } from '../../nodes/project/shaderTextFaults.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
-import type { Backend } from '../../render/settings.ts';
+import type { Backend, ShadingChoice } from '../../render/settings.ts';
 import { coalesce } from './coalesce.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
 import { type SimulationRun, simulationRuns } from './simulationRuns.ts';
@@ -92,6 +92,8 @@ export interface EditorState {
   readonly loading?: LoadingState;
   readonly notices: readonly Notice[];
   readonly graphics: GraphicsStatus;
+  /** How the picture may be shaded. */
+  readonly shading: ShadingChoice;
   readonly lock: Lock;
   readonly cruise: boolean;
   /** What the way of flying is called. */
@@ -188,6 +190,7 @@ export function createEditor({ services, project, playing }: EditorOptions): Edi
     results: new Map(),
     notices: [],
     graphics: 'starting',
+    shading: 'auto',
     lock: 'free',
     cruise: false,
     flightMode: velocityMode.title,

@@ -133,18 +133,38 @@ describe('auto exposure', () => {
     expect(await seen(better, true, 400)).toBeCloseTo(wanted(4), 12);
   });
 
+  it('reads luminance alone, which needs no G-buffer, unless numbers are shown as colours', async () => {
+    const asked: string[] = [];
+    for (const [falseColor, frameGraph] of [
+      ['none', undefined],
+      ['doppler', undefined],
+      ['none', { passes: [] }],
+    ] as const) {
+      const autoExposure = new AutoExposure(true);
+      const measureLight: MeteredPicture['measureLight'] = async (quantities) => {
+        asked.push(quantities);
+        return light(1);
+      };
+      const shown = { ...picture, falseColor, frameGraph } as unknown as PictureSpec;
+      autoExposure.observe(drawn(1, { picture: shown, measureLight }));
+      await autoExposure.advance(0, 0);
+    }
+    expect(asked).toEqual(['luminance', 'all', 'all']);
+  });
+
   it('measures only what is still drawn: a fine picture that gave way to a coarse one is measured when it is back', async () => {
     const autoExposure = new AutoExposure(true);
     let read = 0;
     const still = drawn(1);
-    const [coarse, fine] = [2, 6].map((detail) => ({
+    const inDetail = (detail: number): MeteredPicture => ({
       ...still,
       detail,
       measureLight: async () => {
         read = detail;
         return light(detail);
       },
-    })) as [MeteredPicture, MeteredPicture];
+    });
+    const [coarse, fine] = [inDetail(2), inDetail(6)];
     const draw = async (picture: MeteredPicture, now: number): Promise<void> => {
       autoExposure.observe(picture);
       await autoExposure.advance(0, now);

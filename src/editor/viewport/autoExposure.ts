@@ -1,7 +1,7 @@
 import { adaptExposure, exposureForMetering, measuredFalseColorScale } from '../../nodes/pictures/metering.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { contentKey } from '../../scene/frameGraph/frameGraph.ts';
-import type { LightMeterReadings } from '../../scene/view/metering.ts';
+import type { LightMeterReadings, MeteredQuantities } from '../../scene/view/metering.ts';
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
@@ -24,7 +24,7 @@ export interface MeteredPicture {
   /** How much of that is drawn; it rises with pixels and quality. */
   readonly detail: number;
   readonly size: PictureSize;
-  readonly measureLight: () => Promise<LightMeterReadings>;
+  readonly measureLight: (quantities: MeteredQuantities) => Promise<LightMeterReadings>;
 }
 
 /**
@@ -119,7 +119,7 @@ export class AutoExposure {
     this.isMeasuring = true;
     this.unmeasured = undefined;
     try {
-      const measured = await readings();
+      const measured = await readings(showsFalseColors(picture) ? 'all' : 'luminance');
       if (generation !== this.generation) return;
       this.readings = measured;
       this.target = exposureForMetering(picture.metering, this.readings, views, settings, size);
@@ -129,3 +129,6 @@ export class AutoExposure {
     }
   }
 }
+
+/** Whether scales of false colours are measured too. */
+const showsFalseColors = ({ falseColor, frameGraph }: PictureSpec): boolean => falseColor !== 'none' || !!frameGraph;

@@ -7,6 +7,7 @@ import type { Backend, Sampling } from '../../render/settings.ts';
 import { filmedDome } from '../../scene/film/seenFilm.ts';
 import { contentKey, type FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
+import type { MeteredQuantities } from '../../scene/view/metering.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import type { ViewportFilms } from '../films/viewportFilms.ts';
 import type { ObserverController } from '../flight/observerController.ts';
@@ -215,8 +216,8 @@ export class ViewportRenderer {
     this.pickValue(now);
     const { isOutside: outside } = this.observerController;
     const drawn = this.displayed !== undefined && !this.isWaiting;
-    const { triangles, tolerance } = this.renderer.info;
-    const picture = { triangles: this.displayed ? triangles : 0, tolerance, drawn };
+    const { triangles, tolerance, shading } = this.renderer.info;
+    const picture = { triangles: this.displayed ? triangles : 0, tolerance, drawn, shading };
     const waits = { waiting: this.isWaiting, preparing: this.compiling, outside };
     updateTelemetry(this.observerController.observer, { ...picture, ...waits }, now);
   }
@@ -251,7 +252,11 @@ export class ViewportRenderer {
 
   /** Takes over a new picture; another scene is uploaded first, and the last picture stays until then. */
   private followPicture(): void {
-    const { picture, pictureSource, interim, results } = this.editor.store.getState();
+    const { picture, pictureSource, interim, results, shading } = this.editor.store.getState();
+    if (shading !== this.renderer.shading) {
+      this.renderer.shading = shading;
+      this.requestDraw();
+    }
     if (!picture || this.uploading) return;
     const until = interim === 'running' ? computedUntil(results) : undefined;
     if (sameScenes(picture.scenes, this.scenes)) {
@@ -359,7 +364,7 @@ export class ViewportRenderer {
       wanted,
       detail: width * height + (settings.occlusionRadius === wanted.occlusionRadius ? 0.5 : 0),
       size: { width: clientWidth, height: Math.max(1, clientHeight) },
-      measureLight: () => this.renderer.measureLight(),
+      measureLight: (quantities: MeteredQuantities) => this.renderer.measureLight(quantities),
     } as const;
     this.autoExposure.observe(metered, isBetter);
     return changes;
@@ -371,8 +376,10 @@ export class ViewportRenderer {
     const settings = fullQuality ? wanted : { ...wanted, occlusionRadius: 0 };
     const plain: DisplayedFrame = { viewPoint, settings, sampling: 1 };
     const best: DisplayedFrame = moves && fullQuality ? { ...plain, sampling: 'temporal' } : plain;
+    // Without occlusion fewer shaders are compiled before the first picture.
+    const first: DisplayedFrame = { ...plain, settings: { ...wanted, occlusionRadius: 0 } };
     return (
-      [best, plain].find((drawing) => this.isPrepared(drawing)) ?? (this.displayed && { ...this.displayed, viewPoint })
+      (this.displayed ? [best, plain] : [first]).find((drawing) => this.isPrepared(drawing)) ?? (this.displayed && { ...this.displayed, viewPoint })
     );
   }
 }

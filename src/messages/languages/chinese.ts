@@ -2987,6 +2987,10 @@ const messages: Translation['messages'] = {
   'reading samples…': '读取采样…',
   'starting…': '启动中…',
   'recovering…': '恢复中…',
+  'Forward shading': '前向着色',
+  'Deferred shading': '延迟着色',
+  'Forward: light is computed while surfaces are drawn. Deferred: of a G-buffer, which ambient occlusion and effects read. Click: always deferred.':
+    '前向：绘制表面时就计算光照。延迟：由 G 缓冲计算，环境光遮蔽和效果都读取它。点击：始终使用延迟着色。',
 
   // Locks
   Look: '观察',

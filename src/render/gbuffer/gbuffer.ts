@@ -20,7 +20,7 @@ const FLOATS: ReadonlySet<TargetName> = new Set(['object', 'event', 'motion']);
 export class GBuffer {
   readonly passes: readonly { readonly names: readonly TargetName[]; readonly target: RenderTarget }[];
   /** Depth of the opaque scene, for passes that draw only where there is a surface, or none. */
-  readonly depth = new DepthTexture(1, 1, FloatType);
+  readonly depth = surfaceDepth();
 
   constructor(bytesPerSample: number, attachments: number) {
     const names = Object.keys(GBUFFER_TARGETS) as TargetName[];
@@ -61,6 +61,9 @@ function makeTarget(names: readonly TargetName[], depth: DepthTexture): RenderTa
   });
   return target;
 }
+
+/** A depth texture for surfaces. */
+export const surfaceDepth = (): DepthTexture => new DepthTexture(1, 1, FloatType);
 
 /**
  * A render target of data, not colours, read texel by texel without filtering. `depth`: depth texture to share with another target; without it there is no

@@ -1,5 +1,5 @@
 import { Discard, Fn, float, select, vec4 } from 'three/tsl';
-import { NoBlending, NodeMaterial, type Texture } from 'three/webgpu';
+import { LessEqualDepth, NoBlending, NodeMaterial, type Texture } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
 import { fullVelocity } from '../../shaders/kinematics/fullVelocity.ts';
 import type { Float, Vec4 } from '../../shaders/types.ts';
@@ -86,15 +86,44 @@ function readGBuffer(buffer: GBuffer, moving: boolean, openness: Texture | undef
   };
 }
 
-/** Forward shading of transparent surfaces, blended over what is behind them and hidden behind nearer opaque surfaces. */
-export function forwardMaterial(
+/** What light is computed with in the pass that draws the surfaces. */
+export interface ForwardLighting {
+  readonly projection: SpacetimeProjection;
+  readonly environment: Environment;
+  readonly pipeline: ColorPipeline;
+  readonly range: LightRange;
+  readonly shadows?: LightVisibility;
+}
+
+/** Forward shading of opaque surfaces. `reversed`: whether the depth buffer is reversed. */
+export function opaqueMaterial(drawCall: DrawCall, lighting: ForwardLighting, reversed: boolean): NodeMaterial {
+  const material = forwardMaterial(drawCall, lighting);
+  material.name = `opaque ${drawCall.batch.kind}`;
+  if (!reversed) material.depthNode = logarithmicDepth(vCameraPosition);
+  material.side = materialSide(drawCall.batch);
+  material.blending = NoBlending;
+  return material;
+}
+
+/** Forward shading of transparent surfaces, blended over what is behind them and hidden behind nearer opaque surfaces: those of the G-buffer. */
+export function transparentMaterial(drawCall: DrawCall, lighting: ForwardLighting, buffer: GBuffer): NodeMaterial {
+  return drawOver(forwardMaterial(drawCall, lighting, buffer), drawCall.batch);
+}
+
+/** The same, hidden by the depth of opaque surfaces that are drawn forward too. */
+export function depthTestedMaterial(drawCall: DrawCall, lighting: ForwardLighting, reversed: boolean): NodeMaterial {
+  const material = drawOver(forwardMaterial(drawCall, lighting), drawCall.batch);
+  if (!reversed) material.depthNode = logarithmicDepth(vCameraPosition);
+  material.depthTest = true;
+  material.depthFunc = LessEqualDepth;
+  return material;
+}
+
+/** `buffer`: the G-buffer with the opaque surfaces that hide it. */
+function forwardMaterial(
   drawCall: DrawCall,
-  projection: SpacetimeProjection,
-  buffer: GBuffer,
-  environment: Environment,
-  pipeline: ColorPipeline,
-  range: LightRange,
-  shadows?: LightVisibility,
+  { projection, environment, pipeline, range, shadows }: ForwardLighting,
+  buffer?: GBuffer,
 ): NodeMaterial {
   const { uniforms } = drawCall.surface;
   const material = new NodeMaterial();
@@ -103,11 +132,11 @@ export function forwardMaterial(
   material.fragmentNode = Fn(() => {
     const surface = readSurface(drawCall.surface);
     const velocity = isStatic(drawCall.batch) ? undefined : surface.velocity;
-    Discard(surface.distance.greaterThan(depthHere(buffer)));
+    if (buffer) Discard(surface.distance.greaterThan(depthHere(buffer)));
     const light = shade({ ...surface, velocity }, environment, uniforms, pipeline, shadows);
-    return vec4(limitLight(light, range.max), surface.color.w);
+    return vec4(limitLight(light, range.max), drawCall.batch.transparent ? surface.color.w : 1);
   })();
-  return drawOver(material, drawCall.batch);
+  return material;
 }
 
 /** Apparent distance of the opaque surface under this fragment [m], or a very large number. */

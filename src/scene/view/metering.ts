@@ -15,6 +15,9 @@ export interface LightMeterReadings {
   readonly time: Float32Array;
 }
 
+/** What is read: `luminance` alone costs least, and leaves the others undefined. */
+export type MeteredQuantities = 'all' | 'luminance';
+
 /** The pixel at cell `i` along a side of `size` pixels. */
 export const meterPixel = (i: number, size: number): number => Math.floor(((i + 0.5) / METER_CELLS) * size);
 

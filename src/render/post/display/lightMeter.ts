@@ -1,6 +1,7 @@
 import { Fn, floor, ivec2, screenCoordinate, select, textureLoad, uniform, vec2, vec4 } from 'three/tsl';
 import { FloatType, type Texture, Vector2 } from 'three/webgpu';
-import { type LightMeterReadings, METER_CELLS } from '../../../scene/view/metering.ts';
+import { type LightMeterReadings, METER_CELLS, type MeteredQuantities } from '../../../scene/view/metering.ts';
+import type { PictureSize } from '../../../scene/view/pictureSize.ts';
 import type { Vec4 } from '../../../shaders/types.ts';
 import { relativeLuminance } from '../../color/luminance.ts';
 import { dataTarget, type GBuffer } from '../../gbuffer/gbuffer.ts';
@@ -20,7 +21,7 @@ export class LightMeter {
   private readonly uniforms: FrameUniforms;
   private readonly target = dataTarget(1, FloatType);
   private readonly size = uniform(new Vector2());
-  private readonly passes = new Map<Texture, FullScreenPass>();
+  private readonly passes = new Map<string, FullScreenPass>();
 
   constructor(gpu: Gpu, buffer: GBuffer, uniforms: FrameUniforms) {
     this.gpu = gpu;
@@ -29,28 +30,35 @@ export class LightMeter {
     this.target.setSize(METER_CELLS, METER_CELLS);
   }
 
-  /** `light`: of the picture, `width` × `height` pixels; `c` [m/s]. */
-  async measure(light: Texture, width: number, height: number, c: number): Promise<LightMeterReadings> {
-    const pass = this.passes.get(light) ?? new FullScreenPass(this.output(light), 'gauge');
-    this.passes.set(light, pass);
+  /** `light`: of the picture; `c` [m/s]. */
+  async measure(
+    light: Texture,
+    { width, height }: PictureSize,
+    c: number,
+    quantities: MeteredQuantities,
+  ): Promise<LightMeterReadings> {
+    const key = `${light.id} ${quantities}`;
+    const pass = this.passes.get(key) ?? new FullScreenPass(this.output(light, quantities), 'gauge');
+    this.passes.set(key, pass);
     this.size.value.set(width, height);
     pass.render(this.gpu.renderer, this.target);
     await gpuFinished(this.gpu);
     const texels = await readFloats(this.gpu, this.target, 0, { x: 0, y: 0, width: METER_CELLS, height: METER_CELLS });
     const channel = (k: number, scale: number) =>
       Float32Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
-        const isDefined = k !== TIME || texels[4 * i + 3]! > 0.5;
+        const isDefined = k === LIGHT || (quantities === 'all' && (k === DOPPLER || texels[4 * i + 3]! > 0.5));
         return isDefined ? scale * texels[4 * i + k]! : Number.NaN;
       });
     return { luminance: channel(LIGHT, 1), doppler: channel(DOPPLER, 1), time: channel(TIME, 1 / c) };
   }
 
   /** (luminance, D, c(t − t_o) [m], 1 if there is a surface) */
-  private output(light: Texture): Vec4 {
+  private output(light: Texture, quantities: MeteredQuantities): Vec4 {
     const { buffer, size } = this;
     return Fn(() => {
       const pixel = ivec2(floor(screenCoordinate.div(METER_CELLS).mul(vec2(size)))).toVar();
       const at = (source: Texture): Vec4 => textureLoad(source, pixel);
+      if (quantities === 'luminance') return vec4(relativeLuminance(at(light).rgb), 0, 0, 0);
       const hasSurface = at(buffer.texture('object')).x.greaterThan(0.5).toVar();
       return vec4(
         relativeLuminance(at(light).rgb),
