@@ -18,6 +18,7 @@ import { films } from './rendering/films.ts';
 import { frame } from './rendering/frame.ts';
 import { immersive } from './rendering/immersive.ts';
 import { instances } from './rendering/instances.ts';
+import { lean } from './rendering/lean.ts';
 import { lenses } from './rendering/lenses.ts';
 import { memory } from './rendering/memory.ts';
 import { outside } from './rendering/outside.ts';
@@ -32,6 +33,7 @@ import { gpu, releaseGpu } from './support/gpu.ts';
 /** All benchmarks, in the order of the page. */
 const benches: readonly Bench[] = [
   frame,
+  lean,
   immersive,
   views,
   outside,

@@ -3,7 +3,7 @@ import { exposedFrameGraph, renderSettings } from '../../nodes/pictures/renderSe
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
 import { interactivePipeline } from '../../pipelines/registry.ts';
-import type { Backend, Sampling } from '../../render/settings.ts';
+import type { Backend, Sampling, ShadingChoice } from '../../render/settings.ts';
 import { filmedDome } from '../../scene/film/seenFilm.ts';
 import { contentKey, type FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -37,6 +37,7 @@ interface DisplayedView {
 /** A view with its resolution and quality. */
 interface DisplayedFrame extends DisplayedView {
   readonly sampling: Sampling;
+  readonly shading: ShadingChoice;
 }
 
 /** A captured picture: its pixels as displayed, with its view. */
@@ -252,11 +253,7 @@ export class ViewportRenderer {
 
   /** Takes over a new picture; another scene is uploaded first, and the last picture stays until then. */
   private followPicture(): void {
-    const { picture, pictureSource, interim, results, shading } = this.editor.store.getState();
-    if (shading !== this.renderer.shading) {
-      this.renderer.shading = shading;
-      this.requestDraw();
-    }
+    const { picture, pictureSource, interim, results } = this.editor.store.getState();
     if (!picture || this.uploading) return;
     const until = interim === 'running' ? computedUntil(results) : undefined;
     if (sameScenes(picture.scenes, this.scenes)) {
@@ -299,7 +296,8 @@ export class ViewportRenderer {
     this.films.setScenes(scenes);
   }
 
-  private isPrepared({ viewPoint, settings, sampling }: DisplayedFrame): boolean {
+  private isPrepared({ viewPoint, settings, sampling, shading }: DisplayedFrame): boolean {
+    this.renderer.shading = shading;
     const preparing = this.renderer.precompile?.([viewPoint], settings, sampling);
     this.compiling = preparing !== undefined;
     // If the device was lost, the next generation compiles.
@@ -341,12 +339,13 @@ export class ViewportRenderer {
     const moves = changes && !sameView({ ...before, settings: asked.settings }, asked);
     const drawing = this.preparedFrame(viewPoint, wanted, moves);
     if (!drawing) return false;
-    if (!always && !this.stale && this.displayed && sameView(this.displayed, drawing)) return false;
+    if (!always && !this.stale && this.displayed && sameFrame(this.displayed, drawing)) return false;
     const isBetter = this.stale;
     this.displayed = drawing;
     this.stale = false;
     this.canvas.removeAttribute('data-finest');
-    const { settings, sampling } = drawing;
+    const { settings, sampling, shading } = drawing;
+    this.renderer.shading = shading;
     this.renderer.render([viewPoint], settings, sampling);
     if (this.renderer.info.waiting) return false;
     if (this.uploadStart !== undefined) {
@@ -374,7 +373,8 @@ export class ViewportRenderer {
   private preparedFrame(viewPoint: ViewPoint, wanted: RenderSettings, moves: boolean): DisplayedFrame | undefined {
     const { fullQuality } = this.resolution;
     const settings = fullQuality ? wanted : { ...wanted, occlusionRadius: 0 };
-    const plain: DisplayedFrame = { viewPoint, settings, sampling: 1 };
+    const shading = fullQuality ? 'deferred' : this.editor.store.getState().shading;
+    const plain: DisplayedFrame = { viewPoint, settings, sampling: 1, shading };
     const best: DisplayedFrame = moves && fullQuality ? { ...plain, sampling: 'temporal' } : plain;
     // Without occlusion fewer shaders are compiled before the first picture.
     const first: DisplayedFrame = { ...plain, settings: { ...wanted, occlusionRadius: 0 } };
@@ -386,6 +386,8 @@ export class ViewportRenderer {
 
 const sameScenes = (a: readonly Scene[], b: readonly Scene[]): boolean =>
   a.length === b.length && a.every((scene, i) => scene === b[i]);
+
+const sameFrame = (a: DisplayedFrame, b: DisplayedFrame): boolean => a.shading === b.shading && sameView(a, b);
 
 /** Whether two views are equal. They are plain data, compared as JSON. */
 const sameView = (a: DisplayedView, b: DisplayedView): boolean =>
