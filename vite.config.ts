@@ -66,7 +66,12 @@ export default defineConfig({
     plugins: () => [withoutGpu()],
     // Few scenes have pictures of radiance; by itself the bundler puts their readers beside small modules that all scenes need.
     rolldownOptions: {
-      output: { codeSplitting: { groups: [{ name: 'radiance', test: /formats\/image\/(exr|readExr|radiance\/)/ }] } },
+      output: {
+        codeSplitting: {
+          includeDependenciesRecursively: false,
+          groups: [{ name: 'radiance', test: /formats\/image\/(exr|readExr|radiance\/)/ }],
+        },
+      },
     },
   },
   build: {

@@ -144,8 +144,7 @@ export class DeferredPass {
         setMaterial(drawCall, `glass ${key} ${background.id}`, () =>
           upload.layered!.glassMaterial(drawCall, layeredPass, background),
         );
-      else
-        setMaterial(drawCall, `forward ${key}`, () => transparentMaterial(drawCall, lit, buffer));
+      else setMaterial(drawCall, `forward ${key}`, () => transparentMaterial(drawCall, lit, buffer));
     }
     drawOverTarget(this.gpu, light, upload.transparent, camera);
   }

@@ -75,6 +75,7 @@ export class FrameRenderer {
       buffer: this.buffer,
       uniforms,
       runPass: this.passes.run.bind(this.passes),
+      makeHistory: (inputs) => new parts.TemporalHistory(inputs),
     });
     this.lightMeter = new LightMeter(gpu, this.buffer, uniforms);
     this.pixelReader = new PixelReader(gpu, this.buffer, this.passes);

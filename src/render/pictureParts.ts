@@ -6,6 +6,8 @@ import type { FrameGraphRunner } from './frameGraph/frameGraphRunner.ts';
 import type { GBuffer } from './gbuffer/gbuffer.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import type { PictureOverlay } from './post/display/overlay.ts';
+import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
+import type { TemporalHistory } from './post/resolve/temporalHistory.ts';
 import type { RendererOptions } from './settings.ts';
 
 type PartSettings = Pick<RenderSettings, 'ghost' | 'pastFuture' | 'falseColors' | 'frameGraph' | 'outside' | 'capture'>;
@@ -15,13 +17,14 @@ const hasOverlay = ({ ghost, pastFuture }: PartSettings): boolean => ghost !== '
 const hasCapture = ({ capture, frameGraph }: PartSettings): boolean =>
   capture !== undefined || (frameGraph?.extraBuffers.some((buffer) => buffer.capture) ?? false);
 
-/** Code that few pictures need: overlays, frame graphs, captures, false colours and faces of panoramas. All renderers share it. */
+/** Code that few pictures need: overlays, frame graphs, captures, false colours, faces of panoramas and temporal antialiasing. All renderers share it. */
 const PARTS = {
   overlay: lazyPart(async () => (await import('./post/display/makeOverlay.ts')).makeOverlay),
   runner: lazyPart(async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner),
   capture: lazyPart(async () => (await import('./capture/capture.ts')).Capture),
   falseColors: lazyPart(() => import('./post/display/falseColor.ts')),
   faces: lazyPart(() => import('./lenses/faces.ts')),
+  temporal: lazyPart(async () => (await import('./post/resolve/temporalHistory.ts')).TemporalHistory),
 };
 
 /** What a renderer uses of it: loaded by the first picture that needs it, which is not drawn before. */
@@ -38,8 +41,10 @@ export class PictureParts {
   }
 
   /** Whether a picture can be drawn; otherwise loads what it needs. Without overlays that cannot be loaded it is drawn. */
-  isReady(views: PictureViews, settings: PartSettings): boolean {
-    const missing = neededBy(views, settings).filter((part) => !part.code && !(part === PARTS.overlay && part.error));
+  isReady(views: PictureViews, settings: PartSettings, mode: AntialiasingMode): boolean {
+    const missing = neededBy(views, settings, mode).filter(
+      (part) => !part.code && !(part === PARTS.overlay && part.error),
+    );
     for (const part of missing)
       if (!this.wanted.has(part)) {
         this.wanted.add(part);
@@ -53,8 +58,8 @@ export class PictureParts {
   }
 
   /** Loads what a picture needs. Rejects if it cannot be loaded. */
-  async load(views: PictureViews, settings: PartSettings): Promise<void> {
-    await Promise.all(neededBy(views, settings).map((part) => part.load()));
+  async load(views: PictureViews, settings: PartSettings, mode: AntialiasingMode): Promise<void> {
+    await Promise.all(neededBy(views, settings, mode).map((part) => part.load()));
   }
 
   /** Loads what runs frame graphs. */
@@ -87,6 +92,11 @@ export class PictureParts {
     return loaded(PARTS.faces, 'faces');
   }
 
+  /** The history of temporal antialiasing; for pictures that are ready. */
+  get TemporalHistory(): typeof TemporalHistory {
+    return loaded(PARTS.temporal, 'temporal antialiasing');
+  }
+
   /** The overlay of a picture that is ready; undefined if it has none. `ghost`: the G-buffer of its ghost. */
   overlayOf(settings: PartSettings, picture: GBuffer, ghost: () => GBuffer): PictureOverlay | undefined {
     if (!hasOverlay(settings) || !PARTS.overlay.code) return undefined;
@@ -112,14 +122,15 @@ function loaded<Code>({ code }: LazyPart<Code>, name: string): Code {
   return code;
 }
 
-function neededBy(views: PictureViews, settings: PartSettings): readonly LazyPart<unknown>[] {
-  const { overlay, runner, capture, falseColors, faces } = PARTS;
+function neededBy(views: PictureViews, settings: PartSettings, mode: AntialiasingMode): readonly LazyPart<unknown>[] {
+  const { overlay, runner, capture, falseColors, faces, temporal } = PARTS;
   return [
     ...(hasOverlay(settings) ? [overlay] : []),
     ...(settings.frameGraph ? [runner] : []),
     ...(hasCapture(settings) ? [capture] : []),
     ...(settings.falseColors ? [falseColors] : []),
     ...(views.some(({ lens }) => isPanoramic(lens)) ? [faces] : []),
+    ...(mode === 'temporal' ? [temporal] : []),
   ];
 }
 

@@ -185,8 +185,10 @@ export class SceneRenderer implements RasterRenderer {
     const { uploads } = this;
     // Another speed of light may need another upload first.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
-    if (!this.pictureParts.isReady(views, settings)) return this.pictureParts.load(views, settings);
-    return this.compileMissing(this.requestOf(views, settings, sampling));
+    const request = this.requestOf(views, settings, sampling);
+    const { pictureParts } = this;
+    if (!pictureParts.isReady(views, settings, request.mode)) return pictureParts.load(views, settings, request.mode);
+    return this.compileMissing(request);
   }
 
   private requestOf(views: PictureViews, settings: RenderSettings, sampling: Sampling): PictureRequest {
@@ -235,12 +237,12 @@ export class SceneRenderer implements RasterRenderer {
   render(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): void {
     const start = performance.now();
     assertViewports(views, this.requestedSize);
-    if (!this.pictureParts.isReady(views, settings)) return;
+    const drawn = this.requestOf(views, settings, sampling);
+    const { mode, shading } = drawn;
+    if (!this.pictureParts.isReady(views, settings, mode)) return;
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
     if (pictures.length === 0) return;
-    const drawn = this.requestOf(views, settings, sampling);
-    const { mode, shading } = drawn;
     const canWait = pictures.length > 1 && this.uploads.isStreamed;
     const request = canWait ? contentKey([views, settings, sampling]) : undefined;
     const resumed = canWait && this.incomplete?.request === request ? this.incomplete : undefined;
@@ -353,7 +355,8 @@ export class SceneRenderer implements RasterRenderer {
   async measureLight(quantities: MeteredQuantities = 'all'): Promise<LightMeterReadings> {
     if (quantities === 'all') await this.compileGBuffers();
     const parts: { rect: PixelRect; readings: LightMeterReadings }[] = [];
-    for (const view of this.drawnViews) parts.push({ rect: view.viewport, readings: await view.measureLight(quantities) });
+    for (const view of this.drawnViews)
+      parts.push({ rect: view.viewport, readings: await view.measureLight(quantities) });
     return mergeReadings(parts, this.size);
   }
 

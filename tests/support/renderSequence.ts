@@ -1,6 +1,7 @@
 import type { RasterRenderer } from '../../src/render/api.ts';
 import type { Sampling } from '../../src/render/settings.ts';
 import type { CameraPath } from './cameraPaths.ts';
+import { renderLoaded } from './renderLoaded.ts';
 
 /** Pictures rendered before those that are returned, so that the temporal history is filled. */
 export const WARM_UP_FRAMES = 12;
@@ -16,8 +17,7 @@ export async function renderSequence(
   await renderer.setScene(scene);
   const film: Uint8Array[] = [];
   for (let i = sampling === 'temporal' ? 0 : WARM_UP_FRAMES; i < WARM_UP_FRAMES + count; i++) {
-    pump();
-    renderer.render([view(i)], settings, sampling);
+    await renderLoaded(renderer, [[view(i)], settings, sampling], pump);
     if (i >= WARM_UP_FRAMES) film.push(new Uint8Array(await renderer.readPixels()));
   }
   return film;

@@ -379,7 +379,8 @@ export class ViewportRenderer {
     // Without occlusion fewer shaders are compiled before the first picture.
     const first: DisplayedFrame = { ...plain, settings: { ...wanted, occlusionRadius: 0 } };
     return (
-      (this.displayed ? [best, plain] : [first]).find((drawing) => this.isPrepared(drawing)) ?? (this.displayed && { ...this.displayed, viewPoint })
+      (this.displayed ? [best, plain] : [first]).find((drawing) => this.isPrepared(drawing)) ??
+      (this.displayed && { ...this.displayed, viewPoint })
     );
   }
 }

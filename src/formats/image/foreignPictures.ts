@@ -2,7 +2,8 @@ import { type LocalizedText, msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
 import { inputError } from '../diagnostics/inputError.ts';
-import { checkSize, type DecodedImage, imageKind } from './decodeImage.ts';
+import { checkSize, type DecodedImage } from './decodeImage.ts';
+import { imageKind } from './imageKind.ts';
 
 /** Kinds of pictures that the host decodes. */
 export type ForeignKind = 'WebP' | 'AVIF';

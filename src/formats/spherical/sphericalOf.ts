@@ -2,7 +2,7 @@ import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { SphericalPicture } from '../../scene/view/sphericalPicture.ts';
 import { formatBytes } from '../diagnostics/inputError.ts';
-import { imageKind } from '../image/decodeImage.ts';
+import { imageKind } from '../image/imageKind.ts';
 import type { RandomAccessFile } from '../zip/directory.ts';
 import { inFile } from './inFile.ts';
 import { panoramaOfXmp } from './panorama.ts';

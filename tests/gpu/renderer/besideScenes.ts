@@ -10,6 +10,7 @@ import type { SampledPointsMotion, Scene, Texture } from '../../../src/scene/typ
 import { perspective } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { PictureSize } from '../../../src/scene/view/pictureSize.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import { renderLoaded } from '../../support/renderLoaded.ts';
 
 /** Of a size that nothing else has. */
 export const CHECKS: Texture = {
@@ -137,8 +138,7 @@ export interface Drawn {
 
 export async function draw(renderer: SceneRenderer, shot: Shot, nextFrame: () => void): Promise<Drawn> {
   renderer.setSize(shot.size.width, shot.size.height);
-  nextFrame();
-  renderer.render([shot.view], shot.settings, shot.sampling);
+  await renderLoaded(renderer, [[shot.view], shot.settings, shot.sampling], nextFrame);
   const pixels = Array.from(await renderer.readPixels());
   return { pixels, depth: Array.from(await renderer.readAov('depth')) };
 }

@@ -13,7 +13,7 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../
 import { files } from '../../examples/open.ts';
 import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
-import { compareShadings, SIZE, type ShadingComparison } from './forwardPictures.ts';
+import { compareShadings, type ShadingComparison, SIZE } from './forwardPictures.ts';
 
 const EXAMPLES = readdirSync(fileURLToPath(new URL('../../../examples/', import.meta.url))).filter((name) =>
   name.endsWith('.usdc'),
@@ -72,10 +72,10 @@ describe('a picture without a G-buffer is that with one, to 1/255', () => {
     const compared: ShadingComparison[] = [];
     for (const { view, settings } of shots)
       compared.push(await compareShadings(headless.renderer, view, settings, pumpFrame));
-    const onWebGl = await chromium.page.evaluate(
-      ([example, cases]) => window.compareShadings(example, cases),
-      [name, shots] as const,
-    );
+    const onWebGl = await chromium.page.evaluate(([example, cases]) => window.compareShadings(example, cases), [
+      name,
+      shots,
+    ] as const);
     expectSame(name, compared);
     expectSame(name, onWebGl);
     chromium.assertHealthy();

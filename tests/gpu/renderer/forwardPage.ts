@@ -1,7 +1,7 @@
 import { readUsd } from '../../../src/formats/usd/index.ts';
 import { SceneRenderer } from '../../../src/render/renderer.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
-import { compareShadings, SIZE, type ShadingComparison } from './forwardPictures.ts';
+import { compareShadings, type ShadingComparison, SIZE } from './forwardPictures.ts';
 
 declare global {
   interface Window {

@@ -12,6 +12,7 @@ import type { Scene } from '../../../src/scene/types.ts';
 import { offAxisLens } from '../../../src/scene/view/lenses/perspectiveLens.ts';
 import type { PictureView, PictureViews, PixelRect } from '../../../src/scene/view/pictureViews.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings } from '../../../src/scene/view/view.ts';
+import { renderLoaded } from '../../support/renderLoaded.ts';
 
 /** With all that depends on the observer: things that move, shadows of the sun and of a lamp, stars, and what light shines through. */
 export const SCENE: Scene = makeScene({
@@ -108,8 +109,7 @@ async function rendered(
   nextFrame: () => void,
 ): Promise<RenderedViews> {
   for (let frame = 0; frame < frames; frame++) {
-    nextFrame();
-    renderer.render(views(frame), settings, sampling);
+    await renderLoaded(renderer, [views(frame), settings, sampling], nextFrame);
   }
   const pixels = Array.from(await renderer.readPixels());
   const [depth, beauty] = [[], []] as number[][];

@@ -2,8 +2,9 @@ import type { GLTF } from '@gltf-transform/core';
 import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { InputError } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
-import { type DecodedImage, imageKind } from '../../image/decodeImage.ts';
+import type { DecodedImage } from '../../image/decodeImage.ts';
 import { type DecodePicture, decodeForeign, foreignKind } from '../../image/foreignPictures.ts';
+import { imageKind } from '../../image/imageKind.ts';
 import type { DecodedPictures, Resources } from '../context.ts';
 import { textureSlots } from './textureSlots.ts';
 

@@ -1,8 +1,8 @@
 import { fromHalf, toHalf } from '../../../math/half.ts';
 import { listed, msg } from '../../../messages/message.ts';
 import { inputError } from '../../diagnostics/inputError.ts';
-import { imageKind } from '../decodeImage.ts';
 import { type ExrChannel, type ExrImage, writeExr } from '../exr.ts';
+import { imageKind } from '../imageKind.ts';
 import { readExr } from '../readExr.ts';
 import { checkRadianceSize, type DecodedRadiance, storeRadiance } from './radianceLimits.ts';
 import { readHdr } from './readHdr.ts';

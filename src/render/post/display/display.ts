@@ -12,9 +12,9 @@ import { interleavedGradientNoise } from '../../gpu/gradientNoise.ts';
 import { pixelDirection, shownHere } from '../../lenses/pixelDirection.ts';
 import { depthHere } from '../../shading/passes.ts';
 import { fxaa } from '../resolve/fxaa.ts';
-import { fromYCoCg, toYCoCg } from '../resolve/temporalAntialiasing.ts';
 import { gridOver } from './grid.ts';
 import type { PictureOverlay } from './overlay.ts';
+import { fromYCoCg, toYCoCg } from './yCoCg.ts';
 
 /** The settings that change the compiled passes of this file, rather than only their uniforms. */
 export type DisplaySettings = Pick<RenderSettings, 'tone' | 'grid'> & {

@@ -1,18 +1,9 @@
 import { texture } from 'three/tsl';
-import {
-  FloatType,
-  HalfFloatType,
-  LinearFilter,
-  type Node,
-  type RenderTarget,
-  type Texture,
-  UnsignedByteType,
-} from 'three/webgpu';
+import { FloatType, LinearFilter, type RenderTarget, UnsignedByteType } from 'three/webgpu';
 import type { RenderSettings } from '../../../scene/view/view.ts';
 import type { Vec4 } from '../../../shaders/types.ts';
-import { dataTarget, type GBuffer } from '../../gbuffer/gbuffer.ts';
+import { dataTarget } from '../../gbuffer/gbuffer.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';
-import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import {
   accumulatedSample,
   antialiased,
@@ -20,25 +11,18 @@ import {
   displayKey,
   sampleMean,
   singleSample,
-  temporalResult,
-  temporalSample,
   unfiltered,
 } from '../display/display.ts';
-import { PreviousView, type ViewState } from './previousView.ts';
-import { ReconstructionFilter, temporalResolve } from './temporalAntialiasing.ts';
+import type { ViewState } from './previousView.ts';
+import type { SampleInputs } from './sampleInputs.ts';
+import type { TemporalHistory } from './temporalHistory.ts';
 
 type AntialiasingSettings = DisplaySettings & Pick<RenderSettings, 'antialiasing'>;
 
-/** Runs the pass of a name, created when it is first needed. */
-export type RunPass = (name: string, output: () => Node, target: RenderTarget | null) => void;
-
 /** Inputs of the antialiasing modes. */
-export interface AntialiasingInputs {
-  /** Light of the last sample. */
-  readonly light: () => Texture;
-  readonly buffer: GBuffer;
-  readonly uniforms: FrameUniforms;
-  readonly runPass: RunPass;
+export interface AntialiasingInputs extends SampleInputs {
+  /** Makes the history of temporal antialiasing, with the first picture that is blended. */
+  readonly makeHistory: (inputs: SampleInputs) => TemporalHistory;
 }
 
 /** How a picture is made of samples: one without filtering, one with FXAA, the mean of many, or one blended with the history (temporal antialiasing). */
@@ -49,21 +33,13 @@ export class Antialiasing {
   private readonly inputs: AntialiasingInputs;
   private readonly single = filteredTarget();
   private readonly sums = [sumTarget(), sumTarget()] as const;
-  private readonly temporalSamples = [dataTarget(1, HalfFloatType), dataTarget(1, HalfFloatType)] as const;
-  private readonly histories = [dataTarget(1, HalfFloatType), dataTarget(1, HalfFloatType)] as const;
-  private readonly previousView = new PreviousView();
-  private readonly filter = new ReconstructionFilter();
-  /** Indices of the sum and of the history that were written last. */
+  private temporal: TemporalHistory | undefined;
+  /** Index of the sum that was written last. */
   private sum = 0;
-  private current = 0;
   /** Texture nodes of ping-pong targets, set before each pass. */
   private readonly picture = texture(this.sums[0].textures[0]);
   private readonly light = texture(this.sums[0].textures[1]);
   private readonly mean = texture(this.sums[0].textures[0]);
-  private readonly now = texture(this.temporalSamples[0].texture);
-  private readonly former = texture(this.temporalSamples[0].texture);
-  private readonly history = texture(this.histories[0].texture);
-  private readonly latest = texture(this.histories[0].texture);
   private mode: AntialiasingMode = 'none';
 
   constructor(inputs: AntialiasingInputs) {
@@ -72,19 +48,19 @@ export class Antialiasing {
 
   setSize(width: number, height: number): void {
     for (const target of this.targets) target.setSize(width, height);
-    this.previousView.reset();
+    this.temporal?.setSize(width, height);
   }
 
   /** The next picture will not be blended with previous ones. */
   resetHistory(): void {
-    this.previousView.reset();
+    this.temporal?.reset();
   }
 
   /** Resolves a picture of one sample. */
   resolveSingle(settings: AntialiasingSettings): void {
     this.drawSingle(settings);
     this.mode = settings.antialiasing ? 'fxaa' : 'none';
-    this.previousView.reset();
+    this.temporal?.reset();
   }
 
   /** Adds sample `index` of `count`; the previous picture stays until `shown` is true. */
@@ -99,12 +75,7 @@ export class Antialiasing {
 
   /** Resolves a picture of one sample, blended with the history. */
   resolveTemporal(settings: AntialiasingSettings, state: ViewState): void {
-    const { width, height } = this.single;
-    const { x, y } = this.inputs.uniforms.jitter.value;
-    this.filter.setJitter((x * width) / 2, (-y * height) / 2);
-    this.previousView.update(state);
-    this.current = 1 - this.current;
-    this.blend(settings, state.projection);
+    this.history().resolve(settings, state);
     this.mode = 'temporal';
   }
 
@@ -120,7 +91,7 @@ export class Antialiasing {
     target: RenderTarget | null,
   ): void {
     if (mode === 'none' || mode === 'fxaa') this.drawSingle(settings);
-    if (mode === 'temporal') this.blend(settings, projection);
+    if (mode === 'temporal') this.history().blend(settings, projection);
     if (settings.antialiasing || mode === 'mean') this.accumulate(settings);
     for (const each of settings.antialiasing ? [mode, 'mean' as const] : [mode]) this.show(each, target);
   }
@@ -132,6 +103,14 @@ export class Antialiasing {
 
   dispose(): void {
     for (const target of this.targets) target.dispose();
+    this.temporal?.dispose();
+  }
+
+  private history(): TemporalHistory {
+    if (this.temporal) return this.temporal;
+    this.temporal = this.inputs.makeHistory(this.inputs);
+    this.temporal.setSize(this.single.width, this.single.height);
+    return this.temporal;
   }
 
   private drawSingle(settings: AntialiasingSettings): void {
@@ -158,47 +137,22 @@ export class Antialiasing {
     );
   }
 
-  private blend(settings: AntialiasingSettings, projection: SpacetimeProjection): void {
-    const { buffer, uniforms, runPass: run } = this.inputs;
-    const light = this.inputs.light();
-    const { previousView, filter, current, now, former, history } = this;
-    run(
-      `fresh ${light.id} ${displayKey(settings)}`,
-      () => temporalSample(light, buffer, uniforms, settings),
-      this.temporalSamples[current],
-    );
-    now.value = this.temporalSamples[current].texture;
-    former.value = this.temporalSamples[1 - current].texture;
-    history.value = this.histories[1 - current].texture;
-    const sources = {
-      current: now,
-      previous: former,
-      history,
-      buffer,
-      uniforms,
-      previousView,
-      filter,
-      projection,
-    };
-    run(`follow ${projection.event} ${projection.place}`, () => temporalResolve(sources), this.histories[current]);
-  }
-
   private show(mode: AntialiasingMode, target: RenderTarget | null): void {
-    const { single, mean, latest } = this;
+    const { single, mean, temporal } = this;
     const { runPass: run } = this.inputs;
     mean.value = this.sums[this.sum].textures[0];
-    latest.value = this.histories[this.current].texture;
+    temporal?.bind();
     const passes: Record<AntialiasingMode, () => Vec4> = {
       none: () => unfiltered(single.texture),
       fxaa: () => antialiased(single.texture),
       mean: () => sampleMean(mean),
-      temporal: () => temporalResult(latest),
+      temporal: () => this.history().shown(),
     };
     run(`show ${mode}`, passes[mode], target);
   }
 
   private get targets(): readonly RenderTarget[] {
-    return [this.single, ...this.sums, ...this.temporalSamples, ...this.histories];
+    return [this.single, ...this.sums];
   }
 }
 

@@ -98,11 +98,6 @@ export class ReconstructionFilter {
   }
 }
 
-/** Luma, orange and green chroma. */
-export const toYCoCg = ({ x: r, y: g, z: b }: Vec3): Vec3 =>
-  vec3(r.add(b).mul(0.25).add(g.mul(0.5)), r.sub(b).mul(0.5), g.mul(0.5).sub(r.add(b).mul(0.25)));
-export const fromYCoCg = ({ x: y, y: co, z: cg }: Vec3): Vec3 => vec3(y.add(co).sub(cg), y.add(cg), y.sub(co).sub(cg));
-
 const clampedTexel = (of: Texture | TextureNode, at: Vec2): Vec4 =>
   textureLoad(of, ivec2(clamp(at, vec2(0.5), screenSize.sub(0.5)))).toVar();
 

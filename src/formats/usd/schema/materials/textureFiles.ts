@@ -1,7 +1,7 @@
-import { type DecodedImage, decodeImage, hasRadiance, looksLikeColor } from '../../../image/decodeImage.ts';
+import type { DecodedImage } from '../../../image/decodeImage.ts';
+import { hasRadiance, looksLikeColor } from '../../../image/imageKind.ts';
 import type { DecodedRadiance } from '../../../image/radiance/radianceLimits.ts';
 import type { AssetFiles } from '../../assets/assetFiles.ts';
-import { atlasOf, readTiles } from './udim.ts';
 
 /** A texture, or the tiles of a UDIM set as one. */
 export interface LoadedImage extends DecodedImage {
@@ -18,19 +18,20 @@ interface TextureFile {
   readonly anchor: string;
 }
 
-/** The picture in a file, or in those of a UDIM set; undefined if there is none. Throws if it cannot be read. */
+/** The picture in a file, or in those of a UDIM set; undefined if there is none. Throws if it cannot be read. Decoders are loaded when pictures are met. */
 export async function readImage(files: AssetFiles, { asset, anchor }: TextureFile): Promise<LoadedImage | undefined> {
   if (asset.includes('<UDIM>')) {
+    const { atlasOf, readTiles } = await import('./udim.ts');
     const tiles = await readTiles((tile) => files.findBytes(anchor, asset.replaceAll('<UDIM>', tile)));
     return tiles.length > 0 ? { ...atlasOf(tiles), looksLikeColor: looksLikeColor(tiles[0].bytes) } : undefined;
   }
   const found = await files.findBytes(anchor, asset);
   if (!found) return undefined;
-  // Few scenes have one: code that reads it is loaded when it is met.
   if (hasRadiance(found.bytes)) {
     const { decodeFloatPicture } = await import('../../../image/radiance/floatPicture.ts');
     return { ...decodeFloatPicture(found.bytes, found.id)!, looksLikeColor: true };
   }
+  const { decodeImage } = await import('../../../image/decodeImage.ts');
   return { ...decodeImage(found.bytes, found.id), looksLikeColor: looksLikeColor(found.bytes) };
 }
 
