@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { AxeBuilder } from '@axe-core/playwright';
-import type { Page } from 'playwright-core';
+import type { Page, Request } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { colorCount, difference, Program, sharedPage, WINDOW } from './program.ts';
 import { drop } from './support.ts';
@@ -229,13 +229,20 @@ describe('the page', () => {
   });
 
   it('loads at most 1 MB, compressed, before its first picture', async () => {
-    const asked = new Set<string>();
+    const requests: Request[] = [];
     const visit = await program.open(SMALL, {}, async (page) => {
-      page.on('request', (request) => {
-        if (/^https?:/.test(request.url()) && !request.url().includes('/examples/')) asked.add(request.url());
-      });
+      page.on('request', (request) => requests.push(request));
     });
     await visit.ready();
+    const drawn = await visit.page.evaluate(
+      () => performance.timeOrigin + performance.getEntriesByName('first-picture')[0]!.startTime,
+    );
+    const asked = new Set(
+      requests
+        .filter((request) => /^https?:/.test(request.url()) && !request.url().includes('/examples/'))
+        .filter((request) => request.timing().startTime < drawn)
+        .map((request) => request.url()),
+    );
     // Sizes come from the server, because the browser drops bodies it has read and may still be loading.
     const weights = await Promise.all(
       [...asked].map(async (url) => {

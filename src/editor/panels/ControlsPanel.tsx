@@ -31,7 +31,7 @@ interface ParamSection {
 }
 
 /** Parameters of the nodes that contribute to the picture, generated from their descriptions. */
-export function ControlsPanel(): ReactNode {
+export default function ControlsPanel(): ReactNode {
   const document = useEditorState((state) => state.history.document);
   const sections = sectionsOf(document);
   return (

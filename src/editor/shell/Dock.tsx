@@ -4,13 +4,14 @@ import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'rea
 import { createPortal } from 'react-dom';
 import { type Message, msg, type Translate } from '../../messages/message.ts';
 import { useTexts } from '../language/languageStore.ts';
-import { ControlsPanel } from '../panels/ControlsPanel.tsx';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
 import { loadPreferences } from '../state/preferences.ts';
 import { Viewport } from '../viewport/Viewport.tsx';
+import { AfterFirstPicture } from './AfterFirstPicture.tsx';
 
 /** Loaded on demand, so that opening the page does not wait for it. */
+const ControlsPanel = lazy(() => import('../panels/ControlsPanel.tsx'));
 const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
 const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
 /** Loaded when the project has simulations. */
@@ -23,7 +24,14 @@ const ClocksPanel = lazy(() => import('../clocks/ClocksPanel.tsx'));
 
 const PANELS = {
   picture: { title: msg`Picture`, content: <Viewport /> },
-  controls: { title: msg`Controls`, content: <ControlsPanel /> },
+  controls: {
+    title: msg`Controls`,
+    content: (
+      <AfterFirstPicture>
+        <ControlsPanel />
+      </AfterFirstPicture>
+    ),
+  },
   scene: { title: msg`Scene`, content: <ScenePanel /> },
   diagram: { title: msg`Diagram`, content: <DiagramPanel /> },
   clocks: { title: msg`Clocks`, content: <ClocksPanel /> },

@@ -348,6 +348,7 @@ export class ViewportRenderer {
     this.renderer.shading = shading;
     this.renderer.render([viewPoint], settings, sampling);
     if (this.renderer.info.waiting) return false;
+    markFirstPicture();
     if (this.uploadStart !== undefined) {
       const now = performance.now();
       // The first upload takes longest and does not predict the next.
@@ -384,6 +385,12 @@ export class ViewportRenderer {
     );
   }
 }
+
+/** For whoever measures the page: `performance.getEntriesByName('first-picture')`. */
+function markFirstPicture(): void {
+  if (performance.getEntriesByName(FIRST_PICTURE).length === 0) performance.mark(FIRST_PICTURE);
+}
+const FIRST_PICTURE = 'first-picture';
 
 const sameScenes = (a: readonly Scene[], b: readonly Scene[]): boolean =>
   a.length === b.length && a.every((scene, i) => scene === b[i]);
