@@ -15,7 +15,7 @@ import {
 } from '../scene/view/pictureViews.ts';
 import { AOVS, type AovName, bufferSettings, type RenderSettings } from '../scene/view/view.ts';
 import type { RasterRenderer } from './api.ts';
-import { colorVariantOf } from './color/colorPipelines.ts';
+import { colorVariantOf, commonTables } from './color/colorPipelines.ts';
 import { FrameSetup, renderViewOf, spacetimeProjectionOf, type ViewBuffers } from './frameSetup.ts';
 import { type Gpu, openGpu } from './gpu/device.ts';
 import { precompile } from './gpu/precompile.ts';
@@ -110,7 +110,8 @@ export class SceneRenderer implements RasterRenderer {
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
     const renderer = new SceneRenderer(await openGpu(options), options);
     // Only a page waits for its first picture.
-    if (!options.canvas) await renderer.pictureParts.loadAll();
+    if (options.canvas) void renderer.computeTables();
+    else await renderer.pictureParts.loadAll();
     return renderer;
   }
 
@@ -133,6 +134,14 @@ export class SceneRenderer implements RasterRenderer {
         for (const view of this.viewRenderers) view.releaseScene(upload);
       },
     );
+  }
+
+  /** Computes tables while the first scene is read. */
+  private async computeTables(): Promise<void> {
+    for (const _ of commonTables()) {
+      await new Promise((idle) => setTimeout(idle));
+      if (this.disposal.signal.aborted || this.uploads.first) return;
+    }
   }
 
   beside(options: BesideOptions = {}): SceneRenderer {

@@ -1,5 +1,5 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { difference, type MonitoredPage, Program } from './program.ts';
+import { colorCount, difference, type MonitoredPage, Program } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -30,6 +30,29 @@ describe('flight', () => {
     });
     await expect.poll(() => visit.speed()).toBe(0);
     expect(difference(await visit.pixels(), before)).toBeGreaterThan(1);
+    await visit.close();
+  });
+
+  it('without time for more, it flies without a G-buffer, unless told otherwise; at rest it has one', async () => {
+    const visit = await (await program.open(STREET, { viewport: { width: 1280, height: 800 } })).ready();
+    const button = visit.page.locator('[data-status="shading"]');
+    const shading = () => button.getAttribute('data-shading');
+    expect(await shading()).toBe('deferred');
+    await visit.viewport.click();
+    await withKeys(visit, ['ArrowLeft'], async () => {
+      await expect.poll(shading).toBe('forward');
+      await visit.shot('flight-forward');
+      expect(colorCount(await visit.pixels())).toBeGreaterThan(100);
+      await button.click();
+      expect(await button.getAttribute('aria-pressed')).toBe('true');
+    });
+    await visit.viewport.click();
+    await withKeys(visit, ['ArrowLeft'], async () => {
+      await expect.poll(shading).toBe('deferred');
+      await visit.shot('flight-deferred');
+    });
+    await button.click();
+    await expect.poll(shading).toBe('deferred');
     await visit.close();
   });
 

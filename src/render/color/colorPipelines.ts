@@ -9,7 +9,7 @@ import type { DopplerTable } from '../../spectrum/doppler/dopplerTable.ts';
 import { type FilteredBlackbody, filteredBlackbodyTable } from '../../spectrum/doppler/filterPairs.ts';
 import { RGB_COLOR_MODES, type RgbColorMode } from '../../spectrum/doppler/rgbShifts.ts';
 import { thermalTable } from '../../spectrum/doppler/thermalTable.ts';
-import { DaylightColumns, DaylightTable } from './daylightTable.ts';
+import { DaylightColumns, DaylightTable, SKY_LIGHTS } from './daylightTable.ts';
 import { coloredLights, domeSpectrumKind, spectrumKindOf } from './lightSpectra.ts';
 import type { ColorPipeline } from './radiance.ts';
 import { type SpectralTables, spectralPipeline } from './spectralPipeline.ts';
@@ -42,9 +42,42 @@ const isGlowing = ({ emissionTemperature }: Scene['materials'][number]): boolean
 /** Tables of coloured lights, of this scene and of earlier ones, that are kept. */
 const MAX_CACHED_TABLES = 60;
 
-/** The tables of spectral colours, computed on first use. Scenes share them, but each uploads its own copy. */
+interface BlackbodyTables {
+  readonly table: DopplerTable;
+  readonly daylight: DaylightColumns;
+}
+
+/** By number of layers; computed on first use, which takes half a second. */
+const blackbodyTables = new Map<3 | 4, BlackbodyTables>();
+
+function blackbodyTablesOf(layers: 3 | 4): BlackbodyTables {
+  const cached = blackbodyTables.get(layers);
+  if (cached) return cached;
+  const table = thermalTable(layers);
+  const tables = { table, daylight: new DaylightColumns(table) };
+  blackbodyTables.set(layers, tables);
+  return tables;
+}
+
+/** Computes what nearly all scenes need, a table at each step, before the first scene is there. */
+export function* commonTables(): Generator<void> {
+  const { daylight } = blackbodyTablesOf(3);
+  yield;
+  daylight.daylight();
+  for (const light of SKY_LIGHTS.keys()) {
+    yield;
+    daylight.skyColors(light);
+    yield;
+    daylight.skyBands(light);
+    yield;
+    daylight.skyOverDaylight(light);
+  }
+  yield;
+  daylight.overlaps();
+}
+
+/** The tables of spectral colours. Scenes share them, but each uploads its own copy. */
 export class ColorPipelines {
-  private readonly blackbodies = new Map<3 | 4, { readonly table: DopplerTable; readonly daylight: DaylightColumns }>();
   private readonly colored = new Map<string, DopplerTable>();
 
   /** `atlas`: the scene's. */
@@ -63,7 +96,7 @@ export class ColorPipelines {
   }
 
   private tables(scene: Scene, layers: 3 | 4, atlas: HalfAtlas): SpectralTables {
-    const { table, daylight } = this.blackbodiesOf(layers);
+    const { table, daylight } = blackbodyTablesOf(layers);
     const lights = coloredLights(scene);
     return {
       blackbodies: spectrumTable(atlas, 'blackbodies', table),
@@ -72,15 +105,6 @@ export class ColorPipelines {
       colored: (light) => spectrumTable(atlas, `colored ${light}`, this.coloredOf(lights[light], layers)),
       observer: () => atlas.table('observer', observerTexels),
     };
-  }
-
-  private blackbodiesOf(layers: 3 | 4) {
-    const cached = this.blackbodies.get(layers);
-    if (cached) return cached;
-    const table = thermalTable(layers);
-    const tables = { table, daylight: new DaylightColumns(table) };
-    this.blackbodies.set(layers, tables);
-    return tables;
   }
 
   private coloredOf(light: FilteredBlackbody, layers: 3 | 4): DopplerTable {
