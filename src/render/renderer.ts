@@ -48,7 +48,7 @@ export interface RenderContext {
 }
 
 /** What a picture is drawn of. */
-interface PictureRequest {
+interface DrawRequest {
   readonly views: PictureViews;
   readonly settings: RenderSettings;
   readonly mode: AntialiasingMode;
@@ -94,7 +94,7 @@ export class SceneRenderer implements RasterRenderer {
   private readonly uploads: SceneUploads;
   /** By index of the view in the picture. */
   private readonly viewRenderers: ViewRenderer[];
-  private last: PictureRequest | undefined;
+  private last: DrawRequest | undefined;
   /** A picture whose next view waits for motion samples from files; it is resumed there when it is requested again. */
   private incomplete: IncompletePicture | undefined;
   /** Keys of pictures whose shaders are compiled. */
@@ -200,12 +200,12 @@ export class SceneRenderer implements RasterRenderer {
     return this.compileMissing(request);
   }
 
-  private requestOf(views: PictureViews, settings: RenderSettings, sampling: Sampling): PictureRequest {
+  private requestOf(views: PictureViews, settings: RenderSettings, sampling: Sampling): DrawRequest {
     return { views, settings, mode: antialiasingModeOf(views, settings, sampling), shading: this.shading };
   }
 
   /** As `precompile`. */
-  private compileMissing(request: PictureRequest): Promise<void> | undefined {
+  private compileMissing(request: DrawRequest): Promise<void> | undefined {
     if (this.compiled.has(this.shaderKey(request))) return undefined;
     this.precompiling ??= this.compile(request).finally(() => {
       this.precompiling = undefined;
@@ -213,7 +213,7 @@ export class SceneRenderer implements RasterRenderer {
     return this.precompiling;
   }
 
-  private async compile(request: PictureRequest): Promise<void> {
+  private async compile(request: DrawRequest): Promise<void> {
     const { views, settings, mode, shading } = request;
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
@@ -238,7 +238,7 @@ export class SceneRenderer implements RasterRenderer {
     await this.compileMissing({ ...last, shading: 'deferred' });
   }
 
-  private shaderKey({ views, settings, mode, shading }: PictureRequest): string {
+  private shaderKey({ views, settings, mode, shading }: DrawRequest): string {
     const shadings = this.buffersOf(views, settings).map((buffers) => shadingOf(shading, buffers, mode));
     return shaderKey(views, settings, mode, shadings, this.uploads.of(settings));
   }
