@@ -220,6 +220,9 @@ export class SceneRenderer implements RasterRenderer {
     const prepared = pictures.every((buffers, i) => this.viewRenderer(i).prepare(buffers, rects[i]));
     if (pictures.length === 0 || !prepared) return;
     const target = this.toCanvas && isWholePicture(views) ? 'canvas' : 'screen';
+    // Before the first picture only what it shows is compiled.
+    if (this.viewRenderers[0].hasScenePicture)
+      for (const { upload } of pictures.flat()) upload.tessellator.makeAllPatches();
     const draw = (): void => {
       pictures.forEach((buffers, i) => {
         this.viewRenderer(i).traversePasses(buffers, mode, target, shadingOf(shading, buffers, mode));

@@ -19,7 +19,7 @@ export class SceneBuffers {
   readonly batches: readonly Batch[];
   readonly textures: SceneTextures;
   /** Those that are drawn as patches, of batches that are not pieces. */
-  readonly triangles = new TriangleTable();
+  readonly triangles: TriangleTable;
   /** The instance table (vertexInput.ts). */
   readonly instances = new FloatTable(256);
   private readonly speedOfLight: number;
@@ -27,8 +27,9 @@ export class SceneBuffers {
   private readonly geometries: ReadonlyMap<Batch, BufferGeometry>;
 
   /** `speedOfLight` [m/s]: only objects that are authored in the rest frame and sampled depend on it. */
-  constructor(scene: Scene, speedOfLight: number, { software }: Pick<Gpu, 'software'>) {
+  constructor(scene: Scene, speedOfLight: number, { software, renderer }: Gpu) {
     this.scene = scene;
+    this.triangles = new TriangleTable(renderer);
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
     const objects = worldObjects(scene, speedOfLight);

@@ -54,6 +54,11 @@ export class ViewRenderer {
     return this.lastObservation !== undefined;
   }
 
+  /** Whether it has drawn a picture of this scene. */
+  get hasScenePicture(): boolean {
+    return this.lastBuffers !== undefined;
+  }
+
   /** The capture of one of its G-buffers. */
   capture(buffer: number): Capture {
     return this.frameRenderer.capture(buffer);

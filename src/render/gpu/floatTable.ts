@@ -82,6 +82,16 @@ export class FloatTable implements Texels {
     this.texture.needsUpdate = true;
   }
 
+  /** Uploads some of the texels, as whole rows. */
+  uploadTexels(renderer: WebGPURenderer, first: number, count: number): void {
+    const width = 1 << this.widthBits;
+    const [from, to] = [Math.floor(first / width), Math.ceil((first + count) / width)];
+    if (to <= from) return;
+    const uploader = new RowUploader();
+    this.writeRows(renderer, from, this.array.subarray(4 * width * from, 4 * width * to), uploader);
+    uploader.dispose();
+  }
+
   /** Makes the table this number of rows that exist only on the GPU, with undefined contents, to be filled with `writeRows`. */
   allocateOnGpu(rows: number): void {
     const replacement = makeTexture(null, 1 << this.widthBits, rows);

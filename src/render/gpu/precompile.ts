@@ -62,13 +62,21 @@ function recordCall(renderer: WebGPURenderer, scene: Object3D, camera: Camera): 
 
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
-/** Three.js reads all it needs of the call synchronously; afterwards frames may be drawn with other materials and into other targets. */
+/**
+ * Three.js reads all it needs of the call synchronously; afterwards frames may be drawn with other materials and into other targets. Of materials that only
+ * hidden meshes have, one mesh is shown to it: they may be in view when the picture is drawn.
+ */
 async function compile(
   renderer: WebGPURenderer,
   { scene, camera, target, mrt, materials, quad }: RenderCall,
 ): Promise<void> {
-  const previous = materials.map(({ mesh }) => ({ mesh, material: mesh.material }));
-  for (const { mesh, material } of materials) mesh.material = material;
+  const previous = materials.map(({ mesh }) => ({ mesh, material: mesh.material, visible: mesh.visible }));
+  const seen = new Set(materials.flatMap(({ mesh, material }) => (mesh.visible ? [material] : [])));
+  for (const { mesh, material } of materials) {
+    mesh.material = material;
+    mesh.visible ||= !seen.has(material);
+    seen.add(material);
+  }
   if (quad) quad.material.vertexNode = quad.vertexNode;
   renderer.setRenderTarget(target);
   renderer.setMRT(mrt);
@@ -77,7 +85,7 @@ async function compile(
   renderer.depth = target?.depthBuffer ?? depth;
   const compiled = renderer.compileAsync(scene, camera);
   renderer.depth = depth;
-  for (const { mesh, material } of previous) mesh.material = material;
+  for (const { mesh, material, visible } of previous) Object.assign(mesh, { material, visible });
   const disposal = whenDisposed(materials.flatMap(({ mesh, material }) => [mesh.geometry, ...[material].flat()]));
   try {
     await Promise.race([compiled, disposal.happened]);

@@ -46,7 +46,7 @@ export class Tessellator {
   private readonly addDrawCall: (drawCall: DrawCall) => void;
   private readonly triangles: TriangleTable;
   /** Of pieces, which take turns. */
-  private readonly pieceTriangles = new TriangleTable();
+  private readonly pieceTriangles: TriangleTable;
   private readonly patterns = patternGeometry(ALL_PATTERNS);
   private readonly buffers: PatchBuffers;
   private readonly kernels: FactorKernels;
@@ -68,6 +68,7 @@ export class Tessellator {
   ) {
     this.gpu = gpu;
     this.triangles = triangles;
+    this.pieceTriangles = new TriangleTable(gpu.renderer);
     this.tolerance = options.tolerance ?? DEFAULT_TOLERANCE;
     this.addDrawCall = add;
     this.planner = makePlanner(
@@ -150,6 +151,12 @@ export class Tessellator {
     if (!this.kernels.busy) return;
     const draws = await this.gpu.renderer.getArrayBufferAsync(this.buffers.draws);
     this.gpuTriangles = PatchBuffers.countTriangles(new Uint32Array(draws));
+  }
+
+  /** Makes the draw calls of patches that no picture has needed yet, so that their shaders can be compiled before one does; not those of pieces, which are many. */
+  makeAllPatches(): void {
+    if (this.tolerance === Number.POSITIVE_INFINITY) return;
+    for (const part of this.parts) if (!isPiece(part.indexed.batch)) part.patches ??= this.makePatches(part);
   }
 
   dispose(): void {

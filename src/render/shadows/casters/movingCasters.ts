@@ -14,6 +14,7 @@ import type { ObjectTables } from '../../geometry/objectRows.ts';
 import { OBJECT_TEXELS, ObjectTableWriter } from '../../geometry/objectTables.ts';
 import { intersect, type Observation, type RelativeEvent } from '../../geometry/observation.ts';
 import { vertexEvent } from '../../geometry/vertexStage.ts';
+import type { Gpu } from '../../gpu/device.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 import { TriangleTable } from '../../tessellation/gpu/triangleTable.ts';
 import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
@@ -45,15 +46,16 @@ export class MovingCasters {
   private readonly frame: ObjectTableWriter;
   private readonly tables: ObjectTables;
   /** Of the divided batches. */
-  private readonly triangles = new TriangleTable();
+  private readonly triangles: TriangleTable;
   private readonly instanced: ReadonlySet<Body>;
   /** 1 where events are on the past light cone; otherwise γβ and γ of the observer whose slice of simultaneity is shown. */
   private readonly events = { onLightCone: uniform(1), u: uniform(new Vector3()), gamma: uniform(1) };
   private readonly casters: { readonly mesh: Mesh; readonly bodies: readonly Body[] }[] = [];
 
-  constructor(occluders: Occluders) {
+  constructor(occluders: Occluders, { renderer }: Gpu) {
     const { bodies, drawCalls, points } = occluders;
     this.occluders = occluders;
+    this.triangles = new TriangleTable(renderer);
     this.poses = new PoseTable(bodies.length);
     this.tables = { objects: new FloatTable(256), samples: new FloatTable(1024), points };
     this.tables.objects.reserve(bodies.length * OBJECT_TEXELS);

@@ -53,7 +53,7 @@ export class DynamicDistantShadows {
     this.side = detail.dynamicTile;
     this.atlas = new ShadowAtlas(gpu, { cell: detail.cell, threshold: parallelEdgeThreshold });
     this.table = new LayerTable(2 * lights.length * this.maxCasters, PARALLEL_LAYER_TEXELS);
-    this.casters = new MovingCasters(occluders);
+    this.casters = new MovingCasters(occluders, gpu);
     this.casters.addTo(this.atlas, new Set(this.bodies), parallelProjection(this.atlas, this.table, this.side));
   }
 

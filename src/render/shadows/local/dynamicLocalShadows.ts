@@ -73,7 +73,7 @@ export class DynamicLocalShadows {
     this.tiles = { side, columns: ATLAS_WIDTH / side };
     this.atlas = new ShadowAtlas(gpu, { cell: side / CELLS_PER_TILE, threshold: perspectiveEdgeThreshold(side) });
     this.table = new LayerTable(lights.length * (2 * this.maxCasters + 1 + MAX_FACES), CASTER_TEXELS);
-    this.casters = new MovingCasters(occluders);
+    this.casters = new MovingCasters(occluders, gpu);
     if (all === 0) return;
     const casterBodies = new Set([...this.movingBodies, ...this.staticBodies]);
     this.casters.addTo(

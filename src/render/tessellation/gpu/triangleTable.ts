@@ -1,4 +1,5 @@
 import { clamp, dot, If, int, length, max, select, vec3 } from 'three/tsl';
+import type { WebGPURenderer } from 'three/webgpu';
 import { deforms } from '../../../scene/motion/motion.ts';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { Batch, BatchArrays } from '../../geometry/batches.ts';
@@ -27,11 +28,16 @@ export interface TriangleSources {
  * v), (colour, 0); of a deforming mesh the first is (vertex, 0, 0, u).
  */
 export class TriangleTable {
+  private readonly renderer: WebGPURenderer;
   private readonly triangles = new FloatTable(4096);
   private readonly vertices = new FloatTable(4096);
   private readonly firstTriangles = new Map<Batch, number>();
   private triangleCount = 0;
   private vertexTexels = 0;
+
+  constructor(renderer: WebGPURenderer) {
+    this.renderer = renderer;
+  }
 
   /** Forgets all batches if those that are not needed have many texels; the others are added again when they are used. */
   trim(isNeeded: (batch: Batch) => boolean): void {
@@ -50,10 +56,12 @@ export class TriangleTable {
     const triangles = this.triangleCount + batch.arrays.indices.length / 3;
     const texels = this.vertexTexels + texelsOf(batch);
     if (TRIANGLE_TEXELS * triangles > MAX_TEXELS || texels > MAX_TEXELS) return undefined;
-    const first = this.triangleCount;
+    const { renderer, triangleCount: first, vertexTexels: firstTexel } = this;
     this.firstTriangles.set(batch, first);
     this.addTriangles(batch, this.addSolids(batch.solids ?? new Map()));
     this.addVertices(batch);
+    this.triangles.uploadTexels(renderer, TRIANGLE_TEXELS * first, TRIANGLE_TEXELS * (triangles - first));
+    this.vertices.uploadTexels(renderer, firstTexel, texels - firstTexel);
     return first;
   }
 
@@ -164,7 +172,6 @@ export class TriangleTable {
       const solid = solids.get(instancing ? bodies[0].id : ids[2 * indices[i]] + 1);
       out[at + 7] = solid === undefined ? 0 : 1 + solid;
     }
-    this.triangles.upload();
   }
 
   private addVertices({ kind, arrays }: Batch): void {
@@ -185,7 +192,6 @@ export class TriangleTable {
       out[at + 7] = uvs[2 * v + 1];
     }
     this.vertexTexels += size * count;
-    this.vertices.upload();
   }
 }
 
