@@ -1,5 +1,4 @@
 import type {
-  BufferGeometry,
   Camera,
   Material,
   Mesh,
@@ -86,7 +85,7 @@ async function compile(
   const compiled = renderer.compileAsync(scene, camera);
   renderer.depth = depth;
   for (const { mesh, material, visible } of previous) Object.assign(mesh, { material, visible });
-  const disposal = whenDisposed(materials.flatMap(({ mesh, material }) => [mesh.geometry, ...[material].flat()]));
+  const disposal = whenDisposed(materials.flatMap(({ material }) => material));
   try {
     await Promise.race([compiled, disposal.happened]);
   } finally {
@@ -95,8 +94,8 @@ async function compile(
   }
 }
 
-/** When any of these is disposed. With it three.js deletes the shader that it polls, and would wait for it forever (0.187, WebGL). */
-function whenDisposed(parts: readonly (BufferGeometry | Material)[]): { happened: Promise<void>; forget(): void } {
+/** When any of these is disposed, as with its scene; geometries come and go while a picture moves. With it three.js deletes the shader that it polls, and would wait for it forever (0.187, WebGL). */
+function whenDisposed(parts: readonly Material[]): { happened: Promise<void>; forget(): void } {
   let tell = (): void => {};
   const happened = new Promise<void>((resolve) => {
     tell = resolve;
