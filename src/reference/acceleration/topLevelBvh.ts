@@ -41,12 +41,16 @@ export class TopLevelBvh {
     for (const tracer of this.others) tracer.intersect(ray, search);
   }
 
-  private traceGroup({ velocity, tree, tracers }: VelocityGroup, ray: SpacetimeRay, search: RayQuery): void {
-    const { traversal, line, c } = this;
-    for (let i = 0; i < 3; i++) {
-      line[i] = ray.x[i] - velocity[i] * ray.t;
-      line[3 + i] = ray.dx[i] - (velocity[i] * ray.dt) / c;
-    }
+  private traceGroup({ velocity: v, tree, tracers }: VelocityGroup, ray: SpacetimeRay, search: RayQuery): void {
+    const { traversal, line } = this;
+    const { t, x, dx } = ray;
+    const rate = ray.dt / this.c;
+    line[0] = x[0] - v[0] * t;
+    line[1] = x[1] - v[1] * t;
+    line[2] = x[2] - v[2] * t;
+    line[3] = dx[0] - v[0] * rate;
+    line[4] = dx[1] - v[1] * rate;
+    line[5] = dx[2] - v[2] * rate;
     traversal.start(tree, line, search.begin);
     for (let leaf = traversal.next(search.end); leaf >= 0; leaf = traversal.next(search.end)) {
       const from = tree.link[leaf];
