@@ -1,12 +1,12 @@
 /** A bounding volume hierarchy: a binary tree of boxes, its nodes in depth-first order: the left child of node i is node i + 1. */
 export interface Bvh {
-  /** 6 per node: min x y z, max x y z [m]. */
-  readonly bounds: Float64Array;
+  /** 6 per node: min x y z, max x y z [m]. In 32 bits, rounded outward, so that twice as many fit into a processor's caches. */
+  readonly bounds: Float32Array;
   /** Inner node: index of its right child. Leaf: index of its first item in `order`. */
   readonly link: Int32Array;
   /** Number of items of a leaf; 0 for inner nodes. */
   readonly count: Uint8Array;
-  /** Inner node: the axis along which its children lie one behind the other, the left one first. */
+  /** Inner node: the axis along which its children lie one behind the other, the left one first; plus 3 if the right one is. */
   readonly axis: Uint8Array;
   /** Item indices, grouped by leaf. */
   readonly order: Uint32Array;
@@ -17,7 +17,7 @@ const MAX_LEAF_ITEMS = 4;
 const BINS = 16;
 
 /**
- * Builds a BVH over items with the given boxes (6 numbers each, as in `Bvh.bounds`) by the surface area heuristic: candidate planes divide each side of
+ * Builds a BVH over items with the given boxes (min x y z, max x y z) by the surface area heuristic: candidate planes divide each side of
  * the centres' bounding box into `BINS` equal slices; the cost of a split is area times item count, summed over both sides.
  * Source: Wald 2007, "On fast construction of SAH-based bounding volume hierarchies".
  */
@@ -68,7 +68,7 @@ class Builder {
   finish(): Bvh {
     const { nodes, order } = this;
     return {
-      bounds: this.bounds.slice(0, 6 * nodes),
+      bounds: roundedOutward(this.bounds.subarray(0, 6 * nodes)),
       link: this.link.slice(0, nodes),
       count: this.count.slice(0, nodes),
       axis: this.axis.slice(0, nodes),
@@ -173,6 +173,19 @@ class Builder {
     }
     return lo;
   }
+}
+
+/** The smallest boxes in 32 bits that contain these. */
+export function roundedOutward(boxes: Float64Array): Float32Array {
+  const rounded = new Float32Array(boxes.length);
+  for (let k = 0; k < boxes.length; k++) {
+    const x = boxes[k];
+    const outward = k % 6 < 3 ? -1 : 1;
+    const nearest = Math.fround(x);
+    const isInside = outward * (nearest - x) < 0;
+    rounded[k] = isInside ? nearest + outward * (Math.abs(nearest) * 2 ** -23 + 2 ** -149) : nearest;
+  }
+  return rounded;
 }
 
 /** Sets the box at k to the empty box, min +∞ and max −∞. */

@@ -12,6 +12,9 @@ const MAX_DEPTH = 128;
  * axis that divides them. Source: Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., §7.3.4.
  */
 export class BvhTraversal {
+  /** Written by `clip`. */
+  near = 0;
+  far = 0;
   private tree: Bvh | undefined;
   private readonly stack = new Int32Array(MAX_DEPTH);
   private top = 0;
@@ -56,6 +59,30 @@ export class BvhTraversal {
     this.slabs[3 + axis] += isRising ? high : low;
   }
 
+  /** Sets `near` and `far` to where the line enters and leaves a node's box, between `begin` and s = `end`; for a node that `next` returned. */
+  clip(node: number, end: number): void {
+    const { tree, slabs, nearX, nearY, nearZ } = this;
+    if (!tree) return;
+    const { bounds } = tree;
+    const k = 6 * node;
+    let near = this.begin;
+    let far = end;
+    const ax = (bounds[k + nearX] - slabs[0]) * slabs[6];
+    const ay = (bounds[k + nearY] - slabs[1]) * slabs[7];
+    const az = (bounds[k + nearZ] - slabs[2]) * slabs[8];
+    const bx = (bounds[k + 3 - nearX] - slabs[3]) * slabs[6] * SLACK;
+    const by = (bounds[k + 5 - nearY] - slabs[4]) * slabs[7] * SLACK;
+    const bz = (bounds[k + 7 - nearZ] - slabs[5]) * slabs[8] * SLACK;
+    if (ax > near) near = ax;
+    if (ay > near) near = ay;
+    if (az > near) near = az;
+    if (bx < far) far = bx;
+    if (by < far) far = by;
+    if (bz < far) far = bz;
+    this.near = near;
+    this.far = Math.max(near, far);
+  }
+
   /** The next leaf that is met before s = `end`; −1 if none is left. Written so that NaN (0/0: along a face) counts as inside. */
   next(end: number): number {
     const { tree, stack, begin, slabs, nearX, nearY, nearZ } = this;
@@ -77,8 +104,8 @@ export class BvhTraversal {
     const uy = iy * SLACK;
     const uz = iz * SLACK;
     const last = end * SLACK;
-    // Bit i is set if the line runs against axis i.
-    const against = (nearX === 3 ? 1 : 0) | (nearY === 4 ? 2 : 0) | (nearZ === 5 ? 4 : 0);
+    // Bit i is set if the line runs against axis i, bit 3 + i if it runs along it.
+    const against = (nearX === 3 ? 1 : 8) | (nearY === 4 ? 2 : 16) | (nearZ === 5 ? 4 : 32);
     let top = this.top;
     while (top > 0) {
       let node = stack[--top];

@@ -6,8 +6,8 @@ const MARGIN = 1e-9;
 export class TimeBvh {
   /** Number of pieces, each between two samples. */
   readonly pieces: number;
-  /** 6 per node; node 1 is the root, the children of node n are 2n and 2n + 1. */
-  private readonly boxes: Float64Array;
+  /** 6 per node; node 1 is the root of all pieces; that of first … last has the children 2n of first … `middlePiece` and 2n + 1 of the others. */
+  readonly boxes: Float64Array;
 
   /** `outlines`: the object's boxes at the samples, 6 numbers each; in between its points move straight. */
   constructor(outlines: Float64Array) {
@@ -21,26 +21,6 @@ export class TimeBvh {
     return this.boxes.subarray(6, 12);
   }
 
-  /** Whether a line (o x y z, d x y z) is in a node's box anywhere between s = near and s = far. */
-  intersects(node: number, line: Float64Array, near: number, far: number): boolean {
-    const { boxes } = this;
-    let from = near;
-    let to = far;
-    for (let axis = 0; axis < 3; axis++) {
-      const a = boxes[6 * node + axis] - line[axis];
-      const b = boxes[6 * node + 3 + axis] - line[axis];
-      const d = line[3 + axis];
-      if (d === 0) {
-        if (a > 0 || b < 0) return false;
-        continue;
-      }
-      from = Math.max(from, Math.min(a / d, b / d));
-      to = Math.min(to, Math.max(a / d, b / d));
-      if (from > to) return false;
-    }
-    return true;
-  }
-
   private fill(node: number, first: number, last: number, outlines: Float64Array): void {
     const { boxes } = this;
     emptyBox(boxes, 6 * node);
@@ -49,13 +29,16 @@ export class TimeBvh {
       growBox(boxes, 6 * node, outlines, 6 * first + 6);
       return;
     }
-    const middle = (first + last) >> 1;
+    const middle = middlePiece(first, last);
     this.fill(2 * node, first, middle, outlines);
     this.fill(2 * node + 1, middle + 1, last, outlines);
     growBox(boxes, 6 * node, boxes, 12 * node);
     growBox(boxes, 6 * node, boxes, 12 * node + 6);
   }
 }
+
+/** The last piece of the first half of first … last. */
+export const middlePiece = (first: number, last: number): number => (first + last) >> 1;
 
 /** Enlarges the boxes by more than the rounding errors of the greatest coordinate. */
 function enlarged(outlines: Float64Array): Float64Array {

@@ -2,14 +2,14 @@ import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { samplesUntil } from '../../physics/worldLines/samples.ts';
 import type { Lifetime } from '../../scene/types.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
-import { clipToTimes, type MovingBox, type RayQuery } from '../acceleration/rayQuery.ts';
-import { TimeBvh } from '../acceleration/timeBvh.ts';
+import { clipToTimes, type MovingBox } from '../acceleration/rayQuery.ts';
+import { middlePiece, TimeBvh } from '../acceleration/timeBvh.ts';
 
-/** Intersects a ray between s = begin and s = end with piece k of a motion. */
-export type PieceTracer = (ray: SpacetimeRay, k: number, begin: number, end: number, search: RayQuery) => void;
+/** A tree over 2³¹ pieces has 32 levels. */
+const MAX_DEPTH = 64;
 
-/** The current ray relative to the origin of the current object: o x y z, d x y z. */
-const line = new Float64Array(6);
+/** What `PieceSearch.next` searches: the piece at rest that the ray passes first, those between samples, the other one at rest; nothing any more. */
+type Stage = 'first rest' | 'pieces' | 'last rest' | 'none';
 
 /**
  * Finds the pieces of a sampled motion in which a ray may meet the object, in the order in which the ray passes them. Piece k lies between samples k and
@@ -18,20 +18,33 @@ const line = new Float64Array(6);
 export class PieceSearch {
   /** The greatest absolute coordinate [m]. */
   readonly reach: number;
+  /** The piece that `next` found, and the part of the ray during it. */
+  piece = 0;
+  near = 0;
+  far = 0;
   private readonly times: Float64Array;
   private readonly origin: Vec3;
   private readonly c: number;
   private readonly timeBvh: TimeBvh;
-  private readonly trace: PieceTracer;
+  private stage: Stage = 'none';
+  private time = 0;
+  /** Change of s for each second along the ray; infinite in a slice of simultaneity. */
+  private perSecond = 0;
+  private begin = 0;
+  private end = 0;
+  /** The ray relative to the origin of the object: o x y z, 1/d x y z. */
+  private readonly slabs = new Float64Array(6);
+  /** Nodes of the tree over time with their first and last piece. */
+  private readonly stack = new Int32Array(3 * MAX_DEPTH);
+  private top = 0;
 
   /** `outlines`: the object's boxes at the samples relative to `origin`, 6 numbers each [m]. */
-  constructor(times: Float64Array, origin: Vec3, outlines: Float64Array, c: number, trace: PieceTracer) {
+  constructor(times: Float64Array, origin: Vec3, outlines: Float64Array, c: number) {
     this.times = times;
     this.origin = origin;
     this.c = c;
     this.timeBvh = new TimeBvh(outlines);
     this.reach = Math.max(...this.timeBvh.whole.map(Math.abs));
-    this.trace = trace;
   }
 
   get bounds(): MovingBox {
@@ -47,49 +60,115 @@ export class PieceSearch {
     ];
   }
 
-  intersect(ray: SpacetimeRay, { birth, death }: Lifetime, search: RayQuery): void {
-    const [begin, end] = clipToTimes(ray, birth, death, this.c, search.begin, search.end);
-    if (begin > end) return;
-    const { pieces } = this.timeBvh;
-    if (ray.dt === 0) {
-      this.trace(ray, samplesUntil(this.times, ray.t) - 1, begin, end, search);
-      return;
-    }
+  /** Starts the search on a ray, between s = `from` and s = `to`. */
+  start(ray: SpacetimeRay, { birth, death }: Lifetime, from: number, to: number): void {
+    const { slabs, origin } = this;
+    const { x, dx } = ray;
+    [this.begin, this.end] = clipToTimes(ray, birth, death, this.c, from, to);
+    this.time = ray.t;
+    this.perSecond = this.c / ray.dt;
     for (let i = 0; i < 3; i++) {
-      line[i] = ray.x[i] - this.origin[i];
-      line[3 + i] = ray.dx[i];
+      slabs[i] = x[i] - origin[i];
+      slabs[3 + i] = 1 / dx[i];
     }
-    const [early, late] = ray.dt > 0 ? [-1, pieces] : [pieces, -1];
-    this.trace(ray, early, begin, end, search);
-    this.descend(ray, 1, 0, pieces - 1, begin, end, search);
-    this.trace(ray, late, begin, end, search);
+    this.stage = this.begin > this.end ? 'none' : 'first rest';
+    this.top = 0;
+    this.push(1, 0, this.timeBvh.pieces - 1);
   }
 
-  /** Intersects the pieces from first to last, in the order in which the ray passes them. */
-  private descend(
-    ray: SpacetimeRay,
-    node: number,
-    first: number,
-    last: number,
-    begin: number,
-    end: number,
-    search: RayQuery,
-  ): void {
-    const { times } = this;
-    const perSecond = this.c / ray.dt;
-    const one = (times[first] - ray.t) * perSecond;
-    const other = (times[last + 1] - ray.t) * perSecond;
-    const near = Math.max(begin, Math.min(one, other));
-    const far = Math.min(end, search.end, Math.max(one, other));
-    if (near > far || !this.timeBvh.intersects(node, line, near, far)) return;
-    if (first === last) {
-      this.trace(ray, first, near, far, search);
-      return;
+  /** Whether there is another piece before s = `end`; it is in `piece`, `near` and `far`. */
+  next(end: number): boolean {
+    const { pieces } = this.timeBvh;
+    const isRising = this.perSecond > 0;
+    const to = Math.min(end, this.end);
+    if (this.stage === 'first rest') {
+      if (!Number.isFinite(this.perSecond)) {
+        this.stage = 'none';
+        return this.take(samplesUntil(this.times, this.time) - 1, this.begin, to);
+      }
+      this.stage = 'pieces';
+      if (this.takeRest(isRising ? -1 : pieces, to)) return true;
     }
-    const middle = (first + last) >> 1;
-    const rising = ray.dt > 0;
-    if (rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
-    this.descend(ray, 2 * node + 1, middle + 1, last, begin, end, search);
-    if (!rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
+    if (this.stage === 'pieces') {
+      if (this.nextPiece(to)) return true;
+      this.stage = 'last rest';
+    }
+    if (this.stage === 'none') return false;
+    this.stage = 'none';
+    return this.takeRest(isRising ? pieces : -1, to);
+  }
+
+  private take(piece: number, near: number, far: number): boolean {
+    this.piece = piece;
+    this.near = near;
+    this.far = far;
+    return near <= far;
+  }
+
+  private takeRest(piece: number, to: number): boolean {
+    const { times } = this;
+    const edge = this.placeAt(piece < 0 ? times[0] : times[times.length - 1]);
+    const isBefore = piece < 0 === this.perSecond > 0;
+    return isBefore
+      ? this.take(piece, this.begin, Math.min(to, edge))
+      : this.take(piece, Math.max(this.begin, edge), to);
+  }
+
+  /** Where the ray is at a world time [s]. */
+  private placeAt(time: number): number {
+    return (time - this.time) * this.perSecond;
+  }
+
+  private push(node: number, first: number, last: number): void {
+    const { stack } = this;
+    const k = 3 * this.top++;
+    stack[k] = node;
+    stack[k + 1] = first;
+    stack[k + 2] = last;
+  }
+
+  /** The next piece between samples, whose box the ray meets at its time. */
+  private nextPiece(to: number): boolean {
+    const { stack, times, perSecond } = this;
+    while (this.top > 0) {
+      const k = 3 * --this.top;
+      const node = stack[k];
+      const first = stack[k + 1];
+      const last = stack[k + 2];
+      const one = this.placeAt(times[first]);
+      const other = this.placeAt(times[last + 1]);
+      const near = Math.max(this.begin, perSecond > 0 ? one : other);
+      const far = Math.min(to, perSecond > 0 ? other : one);
+      if (near > far || !this.meets(node, near, far)) continue;
+      if (first === last) return this.take(first, near, far);
+      const middle = middlePiece(first, last);
+      if (perSecond > 0) {
+        this.push(2 * node + 1, middle + 1, last);
+        this.push(2 * node, first, middle);
+      } else {
+        this.push(2 * node, first, middle);
+        this.push(2 * node + 1, middle + 1, last);
+      }
+    }
+    return false;
+  }
+
+  /** Whether the ray is in a node's box anywhere between s = near and s = far. Written so that NaN (0/0: along a face) counts as inside. */
+  private meets(node: number, near: number, far: number): boolean {
+    const { boxes } = this.timeBvh;
+    const { slabs } = this;
+    let from = near;
+    let to = far;
+    for (let axis = 0; axis < 3; axis++) {
+      const o = slabs[axis];
+      const inverse = slabs[3 + axis];
+      const a = (boxes[6 * node + axis] - o) * inverse;
+      const b = (boxes[6 * node + 3 + axis] - o) * inverse;
+      const enters = inverse < 0 ? b : a;
+      const leaves = inverse < 0 ? a : b;
+      if (enters > from) from = enters;
+      if (leaves < to) to = leaves;
+    }
+    return from <= to;
   }
 }

@@ -1,23 +1,26 @@
-import { addScaled, cross, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { addScaled, cross, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import type { SceneObject } from '../../scene/types.ts';
-import { MovingBvhTraversal } from '../acceleration/movingBvhTraversal.ts';
+import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
 import {
   type Crossing,
-  clipToTimes,
   createHit,
   type MovingBox,
   type ObjectIntersector,
   type RayQuery,
 } from '../acceleration/rayQuery.ts';
 import type { CubicChords } from './cubicChords.ts';
-import { PieceSearch, type PieceTracer } from './pieceSearch.ts';
+import { PieceSearch } from './pieceSearch.ts';
 import type { SampledShapes } from './sampledShapes.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
 
-const traversal = new MovingBvhTraversal();
+const traversal = new BvhTraversal();
+/** Where the current ray is at the beginning of the current piece, relative to the motion's origin. */
+const o = new Float64Array(3);
+/** The current ray from there on in the moving coordinates of the piece: o x y z, d x y z. */
+const line = new Float64Array(6);
 const triangle = new SpacetimeTriangle();
 /** The corners of a triangle at both ends of a chord, relative to the motion's origin. */
 const chordBegin = new Float64Array(9);
@@ -45,8 +48,7 @@ export class SampledRayIntersector implements ObjectIntersector {
     this.c = c;
     this.samples = samples;
     const { times, origin } = samples;
-    const trace: PieceTracer = (...piece) => this.tracePiece(...piece);
-    this.pieces = new PieceSearch(times, origin, samples.outlines(), c, trace);
+    this.pieces = new PieceSearch(times, origin, samples.outlines(), c);
   }
 
   get bounds(): MovingBox | undefined {
@@ -54,43 +56,68 @@ export class SampledRayIntersector implements ObjectIntersector {
   }
 
   intersect(ray: SpacetimeRay, search: RayQuery): void {
-    this.pieces.intersect(ray, this.object.lifetime, search);
+    const { pieces } = this;
+    pieces.start(ray, this.object.lifetime, search.begin, search.end);
+    while (pieces.next(search.end)) this.tracePiece(ray, pieces.piece, pieces.near, pieces.far, search);
   }
 
-  private tracePiece(ray: SpacetimeRay, k: number, begin: number, end: number, search: RayQuery): void {
-    const { times, origin, topology: shape } = this.samples;
-    const last = times.length - 1;
-    const [from, to] = this.pieces.timesOf(k);
-    const [near, far] = clipToTimes(ray, from, to, this.c, begin, Math.min(end, search.end));
-    if (near > far) return;
-    const [before, after] = [this.samples.at(Math.max(0, k)), this.samples.at(Math.min(last, k + 1))];
-    const span = before === after ? Number.POSITIVE_INFINITY : to - from;
-    const rate = ray.dt / (this.c * span);
-    const fraction = before === after ? 0 : (ray.t - from) / span + near * rate;
-    const o = sub(addScaled(ray.x, ray.dx, near), origin);
-    traversal.line(o[0], o[1], o[2], ray.dx[0], ray.dx[1], ray.dx[2], fraction, rate);
-    const cubic = before === after ? undefined : this.samples.cubic;
-    traversal.start(shape.bvh, before.boxes, after.boxes, far - near, this.noise(o) + (cubic?.chordErrorIn(k) ?? 0));
-    if (cubic) this.intersectCubicLeaves(cubic, o, ray.dx, fraction, rate, near, k, search);
-    else this.intersectLeaves(before.points, after.points, o, ray.dx, fraction, rate, near, k, search);
+  /** Intersects the ray between s = near and s = far with piece k, in the trees of its parts. */
+  private tracePiece(ray: SpacetimeRay, k: number, near: number, far: number, search: RayQuery): void {
+    const { samples } = this;
+    const { x, dx } = ray;
+    const { moved, parts } = samples.frameOf(k);
+    const isMoving = k >= 0 && k + 1 < samples.times.length;
+    const from = samples.times[k];
+    const span = samples.times[k + 1] - from;
+    const rate = isMoving ? ray.dt / (this.c * span) : 0;
+    const fraction = isMoving ? (ray.t - from) / span + near * rate : 0;
+    for (let i = 0; i < 3; i++) {
+      o[i] = x[i] + dx[i] * near - samples.origin[i];
+      line[i] = o[i] - moved[i] * fraction;
+      line[3 + i] = dx[i] - moved[i] * rate;
+    }
+    const length = far - near;
+    const cubic = isMoving ? samples.cubic : undefined;
+    const noise = this.noise();
+    const partAt = (s: number) => Math.min(parts - 1, Math.max(0, Math.floor((fraction + rate * s) * parts)));
+    const step = rate < 0 ? -1 : 1;
+    const last = parts === 1 || rate === 0 ? partAt(0) : partAt(length);
+    for (let part = partAt(0); part * step <= last * step; part += step) {
+      // Where the ray is in the part.
+      const [one, other] =
+        parts === 1 || rate === 0
+          ? [0, length]
+          : [(part / parts - fraction) / rate, ((part + 1) / parts - fraction) / rate];
+      const begin = Math.max(0, Math.min(one, other));
+      const end = Math.min(length, Math.max(one, other));
+      traversal.start(samples.treeOf(k, part), line, begin);
+      traversal.thicken(ZERO, noise + (cubic?.chordErrorIn(k) ?? 0));
+      if (cubic) this.intersectCubicLeaves(cubic, dx, fraction, rate, near, end, noise, k, search);
+      else this.intersectLeaves(dx, fraction, rate, near, end, noise, k, search);
+    }
   }
 
+  /** Intersects the triangles of the leaves before s = begin + `length`. */
   private intersectLeaves(
-    before: ArrayLike<number>,
-    after: ArrayLike<number>,
-    o: Vec3,
     d: Vec3,
     fraction: number,
     rate: number,
     begin: number,
+    length: number,
+    noise: number,
     piece: number,
     search: RayQuery,
   ): void {
     const { bvh, first } = this.samples.topology;
     const { indices } = this.object.mesh;
     const { a, b } = triangle;
-    const noise = this.noise(o);
-    for (let leaf = traversal.next(search.end - begin); leaf >= 0; leaf = traversal.next(search.end - begin)) {
+    const before = this.samples.pointsBefore(piece);
+    const after = this.samples.pointsAfter(piece);
+    for (;;) {
+      const end = Math.min(length, search.end - begin);
+      const leaf = traversal.next(end);
+      if (leaf < 0) return;
+      traversal.clip(leaf, end);
       const { near, far } = traversal;
       const from = bvh.link[leaf];
       for (let i = from; i < from + bvh.count[leaf]; i++) {
@@ -109,11 +136,12 @@ export class SampledRayIntersector implements ObjectIntersector {
   /** As `intersectLeaves`, for each chord that the ray passes while it is inside a leaf. */
   private intersectCubicLeaves(
     cubic: CubicChords,
-    o: Vec3,
     d: Vec3,
     fraction: number,
     rate: number,
     begin: number,
+    length: number,
+    noise: number,
     piece: number,
     search: RayQuery,
   ): void {
@@ -121,8 +149,11 @@ export class SampledRayIntersector implements ObjectIntersector {
     const { indices } = this.object.mesh;
     const chords = cubic.chordsIn(piece);
     const chordAt = (s: number) => Math.min(chords - 1, Math.max(0, Math.floor((fraction + rate * s) * chords)));
-    const noise = this.noise(o);
-    for (let leaf = traversal.next(search.end - begin); leaf >= 0; leaf = traversal.next(search.end - begin)) {
+    for (;;) {
+      const end = Math.min(length, search.end - begin);
+      const leaf = traversal.next(end);
+      if (leaf < 0) return;
+      traversal.clip(leaf, end);
       const { near, far } = traversal;
       const [early, late] = rate < 0 ? [chordAt(far), chordAt(near)] : [chordAt(near), chordAt(far)];
       const from = bvh.link[leaf];
@@ -141,7 +172,7 @@ export class SampledRayIntersector implements ObjectIntersector {
               : [-chordFraction / chordRate, (1 - chordFraction) / chordRate].sort((a, b) => a - b);
           const [enters, leaves] = [Math.max(near, ends[0]), Math.min(far, ends[1])];
           if (enters > leaves) continue;
-          this.setTriangleFromChord(o, d, chordFraction, chordRate, enters);
+          this.setTriangleFromChord(d, chordFraction, chordRate, enters);
           this.offerCrossings(search, begin + enters, leaves - enters, noise, first[i], piece);
         }
     }
@@ -164,7 +195,7 @@ export class SampledRayIntersector implements ObjectIntersector {
   }
 
   /** Sets the triangle's corners relative to the ray, with σ = 0 at s = `enters`. */
-  private setTriangleFromChord(o: Vec3, d: Vec3, fraction: number, rate: number, enters: number): void {
+  private setTriangleFromChord(d: Vec3, fraction: number, rate: number, enters: number): void {
     const { a, b } = triangle;
     for (let k = 0; k < 9; k++) {
       const axis = k % 3;
@@ -186,7 +217,7 @@ export class SampledRayIntersector implements ObjectIntersector {
   }
 
   /** Accuracy of positions relative to o [m]. */
-  private noise(o: Vec3): number {
+  private noise(): number {
     return ROUNDINGS * Number.EPSILON * (Math.abs(o[0]) + Math.abs(o[1]) + Math.abs(o[2]) + this.pieces.reach);
   }
 }

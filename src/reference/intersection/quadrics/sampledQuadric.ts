@@ -8,7 +8,6 @@ import type { SampledMotion } from '../../../scene/types.ts';
 import type { Hit, SpacetimeRay } from '../../acceleration/ray.ts';
 import {
   type Crossing,
-  clipToTimes,
   createHit,
   type MovingBox,
   type ObjectIntersector,
@@ -58,7 +57,7 @@ export class SampledQuadricIntersector implements ObjectIntersector {
       return { p: at, M: multiply(linear, solid.linear) };
     });
     const boxes = Float64Array.from(this.frames.flatMap(({ p, M }) => boxAround(p, M, solid.extent)));
-    this.pieces = new PieceSearch(times, this.origin, boxes, c, (...piece) => this.tracePiece(...piece));
+    this.pieces = new PieceSearch(times, this.origin, boxes, c);
   }
 
   get bounds(): MovingBox {
@@ -66,13 +65,12 @@ export class SampledQuadricIntersector implements ObjectIntersector {
   }
 
   intersect(ray: SpacetimeRay, search: RayQuery): void {
-    this.pieces.intersect(ray, this.object.lifetime, search);
+    const { pieces } = this;
+    pieces.start(ray, this.object.lifetime, search.begin, search.end);
+    while (pieces.next(search.end)) this.tracePiece(ray, pieces.piece, pieces.near, pieces.far, search);
   }
 
-  private tracePiece(ray: SpacetimeRay, k: number, begin: number, end: number, search: RayQuery): void {
-    const [from, to] = this.pieces.timesOf(k);
-    const [near, far] = clipToTimes(ray, from, to, this.c, begin, Math.min(end, search.end));
-    if (near > far) return;
+  private tracePiece(ray: SpacetimeRay, k: number, near: number, far: number, search: RayQuery): void {
     const piece = this.pieceOf(ray, k, near);
     const stretch = piece.nearBall(this.solid.radius, far - near);
     if (!stretch) return;
