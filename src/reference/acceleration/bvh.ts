@@ -206,3 +206,15 @@ function area(boxes: Float64Array, k: number): number {
   const [x, y, z] = [boxes[k + 3] - boxes[k], boxes[k + 4] - boxes[k + 1], boxes[k + 5] - boxes[k + 2]];
   return x * y + y * z + z * x;
 }
+
+/** Mean of the longest sides of the leaves' boxes [m]; NaN without any. */
+export function meanLeafSize({ bounds, count }: Bvh): number {
+  let [sum, leaves] = [0, 0];
+  for (let node = 0; node < count.length; node++) {
+    if (count[node] === 0) continue;
+    const k = 6 * node;
+    sum += Math.max(bounds[k + 3] - bounds[k], bounds[k + 4] - bounds[k + 1], bounds[k + 5] - bounds[k + 2]);
+    leaves++;
+  }
+  return sum / leaves;
+}

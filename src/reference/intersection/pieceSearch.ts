@@ -37,9 +37,13 @@ export class PieceSearch {
   /** Nodes of the tree over time with their first and last piece. */
   private readonly stack = new Int32Array(3 * MAX_DEPTH);
   private top = 0;
+  private readonly piecesPerLeaf: number;
+  /** How many pieces of the last leaf are left behind `piece`. */
+  private left = 0;
 
-  /** `outlines`: the object's boxes at the samples relative to `origin`, 6 numbers each [m]. */
-  constructor(times: Float64Array, origin: Vec3, outlines: Float64Array, c: number) {
+  /** `outlines`: the object's boxes at the samples relative to `origin`, 6 numbers each [m]. Of a leaf of the tree over time all pieces are found. */
+  constructor(times: Float64Array, origin: Vec3, outlines: Float64Array, c: number, piecesPerLeaf = 1) {
+    this.piecesPerLeaf = piecesPerLeaf;
     this.times = times;
     this.origin = origin;
     this.c = c;
@@ -64,7 +68,10 @@ export class PieceSearch {
   start(ray: SpacetimeRay, { birth, death }: Lifetime, from: number, to: number): void {
     const { slabs, origin } = this;
     const { x, dx } = ray;
-    [this.begin, this.end] = clipToTimes(ray, birth, death, this.c, from, to);
+    this.begin = from;
+    this.end = to;
+    if (birth > Number.NEGATIVE_INFINITY || death < Number.POSITIVE_INFINITY)
+      [this.begin, this.end] = clipToTimes(ray, birth, death, this.c, from, to);
     this.time = ray.t;
     this.perSecond = this.c / ray.dt;
     for (let i = 0; i < 3; i++) {
@@ -72,6 +79,7 @@ export class PieceSearch {
       slabs[3 + i] = 1 / dx[i];
     }
     this.stage = this.begin > this.end ? 'none' : 'first rest';
+    this.left = 0;
     this.top = 0;
     this.push(1, 0, this.timeBvh.pieces - 1);
   }
@@ -127,30 +135,39 @@ export class PieceSearch {
     stack[k + 2] = last;
   }
 
-  /** The next piece between samples, whose box the ray meets at its time. */
+  /** The next piece between samples, in a leaf whose box the ray meets at its time. */
   private nextPiece(to: number): boolean {
-    const { stack, times, perSecond } = this;
-    while (this.top > 0) {
+    const { stack, times, perSecond, piecesPerLeaf } = this;
+    const isRising = perSecond > 0;
+    for (;;) {
+      while (this.left > 0) {
+        this.left--;
+        const piece = this.piece + (isRising ? 1 : -1);
+        const one = this.placeAt(times[piece]);
+        const other = this.placeAt(times[piece + 1]);
+        if (this.take(piece, Math.max(this.begin, isRising ? one : other), Math.min(to, isRising ? other : one)))
+          return true;
+      }
+      if (this.top === 0) return false;
       const k = 3 * --this.top;
       const node = stack[k];
       const first = stack[k + 1];
       const last = stack[k + 2];
       const one = this.placeAt(times[first]);
       const other = this.placeAt(times[last + 1]);
-      const near = Math.max(this.begin, perSecond > 0 ? one : other);
-      const far = Math.min(to, perSecond > 0 ? other : one);
+      const near = Math.max(this.begin, isRising ? one : other);
+      const far = Math.min(to, isRising ? other : one);
       if (near > far || !this.meets(node, near, far)) continue;
-      if (first === last) return this.take(first, near, far);
-      const middle = middlePiece(first, last);
-      if (perSecond > 0) {
-        this.push(2 * node + 1, middle + 1, last);
-        this.push(2 * node, first, middle);
-      } else {
-        this.push(2 * node, first, middle);
-        this.push(2 * node + 1, middle + 1, last);
+      if (last - first < piecesPerLeaf) {
+        this.left = last - first + 1;
+        this.piece = isRising ? first - 1 : last + 1;
+        continue;
       }
+      const middle = middlePiece(first, last);
+      if (isRising) this.push(2 * node + 1, middle + 1, last);
+      this.push(2 * node, first, middle);
+      if (!isRising) this.push(2 * node + 1, middle + 1, last);
     }
-    return false;
   }
 
   /** Whether the ray is in a node's box anywhere between s = near and s = far. Written so that NaN (0/0: along a face) counts as inside. */

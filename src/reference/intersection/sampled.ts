@@ -1,18 +1,11 @@
-import { addScaled, cross, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { contraction } from '../../physics/worldLines/simultaneity.ts';
+import { type Vec3, ZERO } from '../../math/vec3.ts';
 import type { SceneObject } from '../../scene/types.ts';
 import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
-import {
-  type Crossing,
-  createHit,
-  type MovingBox,
-  type ObjectIntersector,
-  type RayQuery,
-} from '../acceleration/rayQuery.ts';
+import type { Crossing, MovingBox, ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';
 import type { CubicChords } from './cubicChords.ts';
 import { PieceSearch } from './pieceSearch.ts';
+import { hitOfVertices, offerCrossings, positionNoise } from './sampledCrossings.ts';
 import type { SampledShapes } from './sampledShapes.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
 
@@ -26,11 +19,8 @@ const triangle = new SpacetimeTriangle();
 const chordBegin = new Float64Array(9);
 const chordFinish = new Float64Array(9);
 
-/** Rounding error of corners relative to the ray, in units of the last place. */
-const ROUNDINGS = 32;
-
 /**
- * Intersects rays with an object whose vertices move straight between samples, or along chords of a cubic (`CubicChords`). Piece k lies between
+ * Intersects rays with a deforming mesh, whose vertices move straight between samples, or along chords of a cubic (`CubicChords`). Piece k lies between
  * samples k and k + 1; the object is at rest in piece −1, before its first sample, and in the last one, after its last sample.
  */
 export class SampledRayIntersector implements ObjectIntersector {
@@ -78,7 +68,7 @@ export class SampledRayIntersector implements ObjectIntersector {
     }
     const length = far - near;
     const cubic = isMoving ? samples.cubic : undefined;
-    const noise = this.noise();
+    const noise = positionNoise(o, this.pieces.reach);
     const partAt = (s: number) => Math.min(parts - 1, Math.max(0, Math.floor((fraction + rate * s) * parts)));
     const step = rate < 0 ? -1 : 1;
     const last = parts === 1 || rate === 0 ? partAt(0) : partAt(length);
@@ -128,7 +118,7 @@ export class SampledRayIntersector implements ObjectIntersector {
             a[3 * corner + axis] = before[at] - o[axis] + (moved * (fraction + rate * near) - d[axis] * near);
             b[3 * corner + axis] = moved * rate - d[axis];
           }
-        this.offerCrossings(search, begin + near, far - near, noise, first[i], piece);
+        offerCrossings(search, this, triangle, begin + near, far - near, noise, first[i], piece);
       }
     }
   }
@@ -173,24 +163,8 @@ export class SampledRayIntersector implements ObjectIntersector {
           const [enters, leaves] = [Math.max(near, ends[0]), Math.min(far, ends[1])];
           if (enters > leaves) continue;
           this.setTriangleFromChord(d, chordFraction, chordRate, enters);
-          this.offerCrossings(search, begin + enters, leaves - enters, noise, first[i], piece);
+          offerCrossings(search, this, triangle, begin + enters, leaves - enters, noise, first[i], piece);
         }
-    }
-  }
-
-  /** Offers the crossings of the ray with the triangle between s = `from` and `from` + `length`, until the search takes one. */
-  private offerCrossings(
-    search: RayQuery,
-    from: number,
-    length: number,
-    noise: number,
-    corner: number,
-    piece: number,
-  ): void {
-    const n = triangle.intersect(length, noise);
-    for (let j = 0; j < n; j++) {
-      const s = from + triangle.sigma[j];
-      if (search.offer(this, s, corner, triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
     }
   }
 
@@ -206,18 +180,10 @@ export class SampledRayIntersector implements ObjectIntersector {
   }
 
   hitAt(ray: SpacetimeRay, crossing: Crossing): Hit {
-    const { s, corner, v, w, piece } = crossing;
+    const { corner, s, piece } = crossing;
     const { indices } = this.object.mesh;
     const time = ray.t + (s * ray.dt) / this.c;
-    const [p, q, r] = [0, 1, 2].map((k) => this.samples.vertex(indices[corner + k], piece, time));
-    const firstTwo = addScaled(scale(p.velocity, 1 - v - w), q.velocity, v);
-    const velocity = scale(addScaled(firstTwo, r.velocity, w), 1 / this.c);
-    const plane = cross(sub(q.place, p.place), sub(r.place, p.place));
-    return createHit(ray, this.index, crossing, this.c, velocity, contraction(plane, properVelocity(velocity)));
-  }
-
-  /** Accuracy of positions relative to o [m]. */
-  private noise(): number {
-    return ROUNDINGS * Number.EPSILON * (Math.abs(o[0]) + Math.abs(o[1]) + Math.abs(o[2]) + this.pieces.reach);
+    const vertices = [0, 1, 2].map((k) => this.samples.vertex(indices[corner + k], piece, time));
+    return hitOfVertices(ray, this.index, crossing, this.c, vertices);
   }
 }

@@ -1,8 +1,9 @@
 import { add, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Mesh } from '../../scene/types.ts';
-import { type Bvh, emptyBox, growBox, roundedOutward } from '../acceleration/bvh.ts';
+import { type Bvh, emptyBox, growBox, meanLeafSize, roundedOutward } from '../acceleration/bvh.ts';
 import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
 import type { CubicChords } from './cubicChords.ts';
+import type { MovingVertex } from './sampledCrossings.ts';
 
 /** What a `ShapeCache` holds. */
 interface CachedShape {
@@ -237,7 +238,7 @@ export class SampledShapes {
   }
 
   /** Vertex i at world time t in piece k (numbered as in `SampledRayIntersector`), and its velocity [m/s]. */
-  vertex(i: number, k: number, t: number): { readonly place: Vec3; readonly velocity: Vec3 } {
+  vertex(i: number, k: number, t: number): MovingVertex {
     const last = this.times.length - 1;
     const [before, after] = [Math.max(0, k), Math.min(last, k + 1)];
     const a = pointOf(this.pointsAt(before), i);
@@ -262,17 +263,6 @@ function dividingAxis(bounds: Float64Array, left: number, right: number): number
     if (Math.abs(apart) > most) [best, most] = [apart < 0 ? 3 + axis : axis, Math.abs(apart)];
   }
   return best;
-}
-
-function meanLeafSize({ bounds, count }: Bvh): number {
-  let [sum, leaves] = [0, 0];
-  for (let node = 0; node < count.length; node++) {
-    if (count[node] === 0) continue;
-    const k = 6 * node;
-    sum += Math.max(bounds[k + 3] - bounds[k], bounds[k + 4] - bounds[k + 1], bounds[k + 5] - bounds[k + 2]);
-    leaves++;
-  }
-  return sum / leaves;
 }
 
 const pointOf = (points: ArrayLike<number>, i: number): Vec3 => [points[3 * i], points[3 * i + 1], points[3 * i + 2]];
