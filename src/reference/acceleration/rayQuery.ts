@@ -34,12 +34,12 @@ export interface ObjectIntersector {
   hitAt(ray: SpacetimeRay, crossing: Crossing): Hit;
 }
 
-/** The search for a ray's nearest hit. */
+/** The search for a ray's nearest hit, or for any. */
 export class RayQuery implements Crossing {
   readonly ray: SpacetimeRay;
   /** Crossings before this s are ignored. */
   readonly begin: number;
-  /** Crossings beyond this s are ignored; it moves to the nearest crossing found. */
+  /** Crossings beyond this s are ignored; it moves to the nearest crossing found, or to −∞ where any will do. */
   end: number;
   /** The nearest crossing; valid once one has been taken. */
   s = 0;
@@ -58,7 +58,7 @@ export class RayQuery implements Crossing {
     this.filter = filter;
   }
 
-  /** Takes a crossing if it is the nearest so far and the filter accepts it; returns whether it was taken. */
+  /** Takes a crossing if it is the nearest so far, of equally near ones that of the first object and triangle, and the filter accepts it; returns whether it was taken. */
   offer(
     tracer: ObjectIntersector,
     s: number,
@@ -68,12 +68,13 @@ export class RayQuery implements Crossing {
     front: boolean,
     piece: number,
   ): boolean {
-    if (!(s >= this.begin && s <= this.end) || (s === this.end && this.intersector)) return false;
-    const { visibleSides, accepts, alwaysAccept } = this.filter;
+    if (!(s >= this.begin && s <= this.end)) return false;
+    if (s === this.end && !this.isBeforeTaken(tracer, corner)) return false;
+    const { visibleSides, accepts, alwaysAccept, any } = this.filter;
     if (visibleSides && !front && !tracer.doubleSided) return false;
     const ask = accepts && !alwaysAccept?.[tracer.index];
     if (ask && !accepts(tracer.hitAt(this.ray, { s, corner, v, w, front, piece }))) return false;
-    this.end = s;
+    this.end = any ? Number.NEGATIVE_INFINITY : s;
     this.intersector = tracer;
     this.s = s;
     this.corner = corner;
@@ -82,6 +83,11 @@ export class RayQuery implements Crossing {
     this.front = front;
     this.piece = piece;
     return true;
+  }
+
+  private isBeforeTaken({ index }: ObjectIntersector, corner: number): boolean {
+    const taken = this.intersector;
+    return !taken || index < taken.index || (index === taken.index && corner < this.corner);
   }
 
   get nearest(): Hit | undefined {
