@@ -9,11 +9,11 @@ export class TimeBvh {
   /** 6 per node; node 1 is the root of all pieces; that of first … last has the children 2n of first … `middlePiece` and 2n + 1 of the others. */
   readonly boxes: Float64Array;
 
-  /** `outlines`: the object's boxes at the samples, 6 numbers each; in between its points move straight. */
-  constructor(outlines: Float64Array) {
-    this.pieces = outlines.length / 6 - 1;
+  /** The object's box in each piece, 6 numbers each. */
+  constructor(pieceBoxes: Float64Array) {
+    this.pieces = pieceBoxes.length / 6;
     this.boxes = new Float64Array(6 * 2 ** (2 + Math.ceil(Math.log2(this.pieces))));
-    this.fill(1, 0, this.pieces - 1, enlarged(outlines));
+    this.fill(1, 0, this.pieces - 1, enlarged(pieceBoxes));
   }
 
   /** The root's box: min x y z, max x y z. */
@@ -21,17 +21,16 @@ export class TimeBvh {
     return this.boxes.subarray(6, 12);
   }
 
-  private fill(node: number, first: number, last: number, outlines: Float64Array): void {
+  private fill(node: number, first: number, last: number, pieceBoxes: Float64Array): void {
     const { boxes } = this;
     emptyBox(boxes, 6 * node);
     if (first === last) {
-      growBox(boxes, 6 * node, outlines, 6 * first);
-      growBox(boxes, 6 * node, outlines, 6 * first + 6);
+      growBox(boxes, 6 * node, pieceBoxes, 6 * first);
       return;
     }
     const middle = middlePiece(first, last);
-    this.fill(2 * node, first, middle, outlines);
-    this.fill(2 * node + 1, middle + 1, last, outlines);
+    this.fill(2 * node, first, middle, pieceBoxes);
+    this.fill(2 * node + 1, middle + 1, last, pieceBoxes);
     growBox(boxes, 6 * node, boxes, 12 * node);
     growBox(boxes, 6 * node, boxes, 12 * node + 6);
   }
@@ -40,8 +39,15 @@ export class TimeBvh {
 /** The last piece of the first half of first … last. */
 export const middlePiece = (first: number, last: number): number => (first + last) >> 1;
 
+/** The boxes of pieces between two samples each, from those at the samples: in between points move straight. */
+export function boxesBetween(outlines: Float64Array): Float64Array {
+  const boxes = outlines.slice(6);
+  for (let k = 0; k < boxes.length; k += 6) growBox(boxes, k, outlines, k);
+  return boxes;
+}
+
 /** Enlarges the boxes by more than the rounding errors of the greatest coordinate. */
-function enlarged(outlines: Float64Array): Float64Array {
-  const reach = outlines.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
-  return outlines.map((x, i) => x + (i % 6 < 3 ? -MARGIN : MARGIN) * reach);
+function enlarged(boxes: Float64Array): Float64Array {
+  const reach = boxes.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+  return boxes.map((x, i) => x + (i % 6 < 3 ? -MARGIN : MARGIN) * reach);
 }

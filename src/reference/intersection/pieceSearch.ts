@@ -41,13 +41,13 @@ export class PieceSearch {
   /** How many pieces of the last leaf are left behind `piece`. */
   private left = 0;
 
-  /** `outlines`: the object's boxes at the samples relative to `origin`, 6 numbers each [m]. Of a leaf of the tree over time all pieces are found. */
-  constructor(times: Float64Array, origin: Vec3, outlines: Float64Array, c: number, piecesPerLeaf = 1) {
+  /** `pieceBoxes`: the object's box in each piece relative to `origin`, 6 numbers each [m]. Of a leaf of the tree over time all pieces are found. */
+  constructor(times: Float64Array, origin: Vec3, pieceBoxes: Float64Array, c: number, piecesPerLeaf = 1) {
     this.piecesPerLeaf = piecesPerLeaf;
     this.times = times;
     this.origin = origin;
     this.c = c;
-    this.timeBvh = new TimeBvh(outlines);
+    this.timeBvh = new TimeBvh(pieceBoxes);
     this.reach = Math.max(...this.timeBvh.whole.map(Math.abs));
   }
 

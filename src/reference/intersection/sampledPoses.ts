@@ -8,6 +8,7 @@ import { meanLeafSize } from '../acceleration/bvh.ts';
 import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
 import type { Crossing, MovingBox, ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';
+import { boxesBetween } from '../acceleration/timeBvh.ts';
 import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
 import { PieceSearch } from './pieceSearch.ts';
 import { hitOfVertices, type MovingVertex, offerCrossings, positionNoise } from './sampledCrossings.ts';
@@ -86,7 +87,13 @@ export class SampledPosesIntersector implements ObjectIntersector {
     this.chordError = MAX_CHORD_ERROR * meanLeafSize(shape.bvh);
     this.centers = new Float64Array(3 * times.length);
     for (let k = 0; k < times.length; k++) this.centers.set(placeIn(this.frames, FRAME * k, this.center), 3 * k);
-    this.pieces = new PieceSearch(times, this.origin, outlinesOf(this.frames, this.center, half), c, PIECES_PER_LEAF);
+    this.pieces = new PieceSearch(
+      times,
+      this.origin,
+      boxesBetween(outlinesOf(this.frames, this.center, half)),
+      c,
+      PIECES_PER_LEAF,
+    );
   }
 
   get bounds(): MovingBox | undefined {

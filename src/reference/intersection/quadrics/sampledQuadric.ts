@@ -13,6 +13,7 @@ import {
   type ObjectIntersector,
   type RayQuery,
 } from '../../acceleration/rayQuery.ts';
+import { boxesBetween } from '../../acceleration/timeBvh.ts';
 import { PieceSearch } from '../pieceSearch.ts';
 import { Crossings } from './crossings.ts';
 import { normOf, PieceRay, type SolidFrame } from './pieceRay.ts';
@@ -55,7 +56,7 @@ export class SampledQuadricIntersector implements ObjectIntersector {
       return { p: at, M, size: normOf(M) };
     });
     const boxes = Float64Array.from(this.frames.flatMap(({ p, M }) => boxAround(p, M, solid.extent)));
-    this.pieces = new PieceSearch(times, this.origin, boxes, c, PIECES_PER_LEAF);
+    this.pieces = new PieceSearch(times, this.origin, boxesBetween(boxes), c, PIECES_PER_LEAF);
   }
 
   get bounds(): MovingBox {
