@@ -10,7 +10,7 @@ import { meshBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
 import { nearestOnCurve } from './curveHit.ts';
 import { motionTracer } from './motionTracers.ts';
 import { RoundSolid } from './quadrics/roundSolid.ts';
-import { ShapeCache } from './sampledShapes.ts';
+import { ShapeCache } from './sampled/sampledShapes.ts';
 
 /** A scene with the acceleration structures for tracing rays. */
 export interface TracedScene {

@@ -14,7 +14,7 @@ import {
   type RayQuery,
 } from '../../acceleration/rayQuery.ts';
 import { boxesBetween } from '../../acceleration/timeBvh.ts';
-import { PieceSearch } from '../pieceSearch.ts';
+import { PieceSearch } from '../sampled/pieceSearch.ts';
 import { Crossings } from './crossings.ts';
 import { normOf, PieceRay, type SolidFrame } from './pieceRay.ts';
 import { addCurveRoots } from './rootIsolation.ts';

@@ -1,9 +1,9 @@
-import { type Vec3, ZERO } from '../../math/vec3.ts';
-import { samplesUntil } from '../../physics/worldLines/samples.ts';
-import type { Lifetime } from '../../scene/types.ts';
-import type { SpacetimeRay } from '../acceleration/ray.ts';
-import { clipToTimes, type MovingBox } from '../acceleration/rayQuery.ts';
-import { middlePiece, TimeBvh } from '../acceleration/timeBvh.ts';
+import { type Vec3, ZERO } from '../../../math/vec3.ts';
+import { samplesUntil } from '../../../physics/worldLines/samples.ts';
+import type { Lifetime } from '../../../scene/types.ts';
+import type { SpacetimeRay } from '../../acceleration/ray.ts';
+import { clipToTimes, type MovingBox } from '../../acceleration/rayQuery.ts';
+import { middlePiece, TimeBvh } from '../../acceleration/timeBvh.ts';
 
 /** A tree over 2³¹ pieces has 32 levels. */
 const MAX_DEPTH = 64;

@@ -1,8 +1,8 @@
-import { addScaled, cross, scale, sub, type Vec3 } from '../../math/vec3.ts';
-import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { contraction } from '../../physics/worldLines/simultaneity.ts';
-import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
-import { type Crossing, createHit, type ObjectIntersector, type RayQuery } from '../acceleration/rayQuery.ts';
+import { addScaled, cross, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { properVelocity } from '../../../physics/lorentz/boost.ts';
+import { contraction } from '../../../physics/worldLines/simultaneity.ts';
+import type { Hit, SpacetimeRay } from '../../acceleration/ray.ts';
+import { type Crossing, createHit, type ObjectIntersector, type RayQuery } from '../../acceleration/rayQuery.ts';
 import type { SpacetimeTriangle } from './spacetimeTriangle.ts';
 
 /** Rounding error of corners relative to the ray, in units of the last place. */

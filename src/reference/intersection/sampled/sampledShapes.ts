@@ -1,7 +1,7 @@
-import { add, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import type { Mesh } from '../../scene/types.ts';
-import { type Bvh, emptyBox, growBox, meanLeafSize, roundedOutward } from '../acceleration/bvh.ts';
-import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
+import { add, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import type { Mesh } from '../../../scene/types.ts';
+import { type Bvh, emptyBox, growBox, meanLeafSize, roundedOutward } from '../../acceleration/bvh.ts';
+import type { TriangleBvh } from '../../acceleration/triangleBvh.ts';
 import type { CubicChords } from './cubicChords.ts';
 import type { MovingVertex } from './sampledCrossings.ts';
 
@@ -271,7 +271,7 @@ export class SampledShapes {
     return { bounds: roundedOutward(bounds), link, count, axis, order };
   }
 
-  /** Vertex i at world time t in piece k (numbered as in `SampledRayIntersector`), and its velocity [m/s]. */
+  /** Vertex i at world time t in piece k (numbered as in `SampledPointsRayIntersector`), and its velocity [m/s]. */
   vertex(i: number, k: number, t: number): MovingVertex {
     const last = this.times.length - 1;
     const [before, after] = [Math.max(0, k), Math.min(last, k + 1)];

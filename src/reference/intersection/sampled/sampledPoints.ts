@@ -1,8 +1,8 @@
-import { ZERO } from '../../math/vec3.ts';
-import type { SceneObject } from '../../scene/types.ts';
-import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
-import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
-import type { Crossing, MovingBox, ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';
+import { ZERO } from '../../../math/vec3.ts';
+import type { SceneObject } from '../../../scene/types.ts';
+import { BvhTraversal } from '../../acceleration/bvhTraversal.ts';
+import type { Hit, SpacetimeRay } from '../../acceleration/ray.ts';
+import type { Crossing, MovingBox, ObjectIntersector, RayQuery } from '../../acceleration/rayQuery.ts';
 import type { CubicChords } from './cubicChords.ts';
 import { PieceSearch } from './pieceSearch.ts';
 import { hitOfVertices, offerCrossings, positionNoise } from './sampledCrossings.ts';
@@ -27,7 +27,7 @@ const chordFinish = new Float64Array(9);
  * samples k and k + 1; the object is at rest in piece −1, before its first sample, and in the last one, after its last sample. Slow pieces share a tree
  * with others of their block, fast ones have several.
  */
-export class SampledRayIntersector implements ObjectIntersector {
+export class SampledPointsRayIntersector implements ObjectIntersector {
   readonly index: number;
   readonly doubleSided: boolean;
   private readonly object: SceneObject;

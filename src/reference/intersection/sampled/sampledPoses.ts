@@ -1,15 +1,15 @@
-import { toMatrix } from '../../math/quat.ts';
-import { add, addScaled, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import { pointAt } from '../../scene/mesh/polygons.ts';
-import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
-import { samplePose } from '../../scene/motion/poses.ts';
-import type { SampledMotion } from '../../scene/types.ts';
-import { meanLeafSize } from '../acceleration/bvh.ts';
-import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
-import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
-import type { Crossing, MovingBox, ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';
-import { boxesBetween } from '../acceleration/timeBvh.ts';
-import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
+import { toMatrix } from '../../../math/quat.ts';
+import { add, addScaled, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { pointAt } from '../../../scene/mesh/polygons.ts';
+import type { ObjectWith } from '../../../scene/motion/kinds/motionKind.ts';
+import { samplePose } from '../../../scene/motion/poses.ts';
+import type { SampledMotion } from '../../../scene/types.ts';
+import { meanLeafSize } from '../../acceleration/bvh.ts';
+import { BvhTraversal } from '../../acceleration/bvhTraversal.ts';
+import type { Hit, SpacetimeRay } from '../../acceleration/ray.ts';
+import type { Crossing, MovingBox, ObjectIntersector, RayQuery } from '../../acceleration/rayQuery.ts';
+import { boxesBetween } from '../../acceleration/timeBvh.ts';
+import type { TriangleBvh } from '../../acceleration/triangleBvh.ts';
 import { PieceSearch } from './pieceSearch.ts';
 import { hitOfVertices, type MovingVertex, offerCrossings, positionNoise } from './sampledCrossings.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
@@ -44,7 +44,7 @@ const FRAME = 12;
  * and M linear in the fraction f of the piece. In the axes of the mesh its triangles rest, so one tree serves all times, and the ray is the curve
  * y(s) = M⁻¹(x(s) − p); it is followed in chords, thickened by their distance from it. docs/physics.md §10.2, §10.4.
  */
-export class SampledPosesIntersector implements ObjectIntersector {
+export class SampledPosesRayIntersector implements ObjectIntersector {
   readonly index: number;
   readonly doubleSided: boolean;
   private readonly object: ObjectWith<SampledMotion>;
