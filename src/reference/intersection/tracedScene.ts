@@ -110,7 +110,7 @@ function createIntersector(
 
 /**
  * The first event on the ray, between `begin` and `end`, at which it meets a surface within its lifetime, from either side; of two at the same place that of the
- * object and triangle that the scene lists first. `accepts` is called
+ * object and triangle that the scene lists last, as pictures show what is drawn last. `accepts` is called
  * for each candidate nearer than all accepted before, in no particular order, and must not trace rays itself.
  * @example
  * import { box, IDENTITY_POSE, makeObject, makeScene } from 'slowlight/scene';
