@@ -6,13 +6,16 @@ const MARGIN = 1e-9;
 export class TimeBvh {
   /** Number of pieces, each between two samples. */
   readonly pieces: number;
+  readonly piecesPerLeaf: number;
   /** 6 per node; node 1 is the root of all pieces; that of first … last has the children 2n of first … `middlePiece` and 2n + 1 of the others. */
   readonly boxes: Float64Array;
 
-  /** The object's box in each piece, 6 numbers each. */
-  constructor(pieceBoxes: Float64Array) {
+  /** The object's box in each piece, 6 numbers each. Leaves are nodes of up to `piecesPerLeaf` pieces. */
+  constructor(pieceBoxes: Float64Array, piecesPerLeaf: number) {
     this.pieces = pieceBoxes.length / 6;
-    this.boxes = new Float64Array(6 * 2 ** (2 + Math.ceil(Math.log2(this.pieces))));
+    this.piecesPerLeaf = piecesPerLeaf;
+    const levels = Math.max(0, Math.ceil(Math.log2(this.pieces / piecesPerLeaf)));
+    this.boxes = new Float64Array(6 * 2 ** (levels + 1));
     this.fill(1, 0, this.pieces - 1, enlarged(pieceBoxes));
   }
 
@@ -24,8 +27,8 @@ export class TimeBvh {
   private fill(node: number, first: number, last: number, pieceBoxes: Float64Array): void {
     const { boxes } = this;
     emptyBox(boxes, 6 * node);
-    if (first === last) {
-      growBox(boxes, 6 * node, pieceBoxes, 6 * first);
+    if (last - first < this.piecesPerLeaf) {
+      for (let k = first; k <= last; k++) growBox(boxes, 6 * node, pieceBoxes, 6 * k);
       return;
     }
     const middle = middlePiece(first, last);

@@ -37,17 +37,15 @@ export class PieceSearch {
   /** Nodes of the tree over time with their first and last piece. */
   private readonly stack = new Int32Array(3 * MAX_DEPTH);
   private top = 0;
-  private readonly piecesPerLeaf: number;
   /** How many pieces of the last leaf are left behind `piece`. */
   private left = 0;
 
   /** `pieceBoxes`: the object's box in each piece relative to `origin`, 6 numbers each [m]. Of a leaf of the tree over time all pieces are found. */
   constructor(times: Float64Array, origin: Vec3, pieceBoxes: Float64Array, c: number, piecesPerLeaf = 1) {
-    this.piecesPerLeaf = piecesPerLeaf;
     this.times = times;
     this.origin = origin;
     this.c = c;
-    this.timeBvh = new TimeBvh(pieceBoxes);
+    this.timeBvh = new TimeBvh(pieceBoxes, piecesPerLeaf);
     this.reach = Math.max(...this.timeBvh.whole.map(Math.abs));
   }
 
@@ -137,7 +135,8 @@ export class PieceSearch {
 
   /** The next piece between samples, in a leaf whose box the ray meets at its time. */
   private nextPiece(to: number): boolean {
-    const { stack, times, perSecond, piecesPerLeaf } = this;
+    const { stack, times, perSecond } = this;
+    const { piecesPerLeaf } = this.timeBvh;
     const isRising = perSecond > 0;
     for (;;) {
       while (this.left > 0) {

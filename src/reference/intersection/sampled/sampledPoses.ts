@@ -39,6 +39,18 @@ const PIECES_PER_LEAF = 4;
 /** Numbers per sample in `frames`. */
 const FRAME = 12;
 
+/** The box and the ball around a mesh, in its axes, and the mean size of its tree's leaves [m]. */
+interface MeshExtent {
+  readonly center: Vec3;
+  readonly half: Vec3;
+  readonly radius: number;
+  readonly leafSize: number;
+}
+
+/** Shared by all objects on a path, and by all with a mesh. */
+const PATHS = new WeakMap<Float64Array, { readonly frames: Float64Array; readonly turns: Float64Array }>();
+const EXTENTS = new WeakMap<TriangleBvh, MeshExtent>();
+
 /**
  * Intersects rays with a mesh at keyframed poses. Its vertices move straight between samples: the map from its axes to the world is x = p(f) + M(f) y, with p
  * and M linear in the fraction f of the piece. In the axes of the mesh its triangles rest, so one tree serves all times, and the ray is the curve
@@ -78,19 +90,20 @@ export class SampledPosesRayIntersector implements ObjectIntersector {
     this.shape = shape;
     this.c = c;
     this.origin = samplePose(poses, 0).position;
-    this.frames = framesOf(poses, times.length, this.origin);
-    this.turns = turnsOf(poses, times.length);
-    const b = shape.bvh.bounds;
-    const half = b.length > 0 ? ([(b[3] - b[0]) / 2, (b[4] - b[1]) / 2, (b[5] - b[2]) / 2] as const) : ZERO;
-    this.center = b.length > 0 ? [(b[0] + b[3]) / 2, (b[1] + b[4]) / 2, (b[2] + b[5]) / 2] : ZERO;
-    this.radius = (1 + MARGIN) * greatestDistance(shape.corners, this.center);
-    this.chordError = MAX_CHORD_ERROR * meanLeafSize(shape.bvh);
+    ({ frames: this.frames, turns: this.turns } = cached(PATHS, poses, () => ({
+      frames: framesOf(poses, times.length, this.origin),
+      turns: turnsOf(poses, times.length),
+    })));
+    const { center, half, radius, leafSize } = cached(EXTENTS, shape, () => extentOf(shape));
+    this.center = center;
+    this.radius = (1 + MARGIN) * radius;
+    this.chordError = MAX_CHORD_ERROR * leafSize;
     this.centers = new Float64Array(3 * times.length);
     for (let k = 0; k < times.length; k++) this.centers.set(placeIn(this.frames, FRAME * k, this.center), 3 * k);
     this.pieces = new PieceSearch(
       times,
       this.origin,
-      boxesBetween(outlinesOf(this.frames, this.center, half)),
+      boxesBetween(outlinesOf(this.frames, center, half)),
       c,
       PIECES_PER_LEAF,
     );
@@ -170,7 +183,7 @@ export class SampledPosesRayIntersector implements ObjectIntersector {
   ): void {
     const { rate } = this;
     const turn = rate === 0 ? 0 : this.turns[2 * k] * Math.abs(rate);
-    const inverse = rate === 0 ? 1 : this.turns[2 * k + 1];
+    const inverse = this.before === this.after ? 1 : this.turns[2 * k + 1];
     const bend = turn === 0 ? 0 : 2 * inverse * turn * inverse * (speed + turn * inverse * reach);
     const error = (bend * (end - begin) ** 2) / 8;
     const chords = error > this.chordError ? Math.min(MAX_CHORDS, Math.ceil(Math.sqrt(error / this.chordError))) : 1;
@@ -283,6 +296,22 @@ function placeIn(frames: Float64Array, at: number, [x, y, z]: Vec3): Vec3 {
     return frames[at + i] + frames[m] * x + frames[m + 1] * y + frames[m + 2] * z;
   };
   return [row(0), row(1), row(2)];
+}
+
+function cached<K extends object, V>(map: WeakMap<K, V>, key: K, make: () => V): V {
+  const known = map.get(key);
+  if (known) return known;
+  const made = make();
+  map.set(key, made);
+  return made;
+}
+
+function extentOf({ bvh, corners }: TriangleBvh): MeshExtent {
+  const b = bvh.bounds;
+  if (b.length === 0) return { center: ZERO, half: ZERO, radius: 0, leafSize: 0 };
+  const center: Vec3 = [(b[0] + b[3]) / 2, (b[1] + b[4]) / 2, (b[2] + b[5]) / 2];
+  const half: Vec3 = [(b[3] - b[0]) / 2, (b[4] - b[1]) / 2, (b[5] - b[2]) / 2];
+  return { center, half, radius: greatestDistance(corners, center), leafSize: meanLeafSize(bvh) };
 }
 
 /** Of points, 3 numbers each, from another. */
