@@ -9,6 +9,7 @@ import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
 import { renderTile } from '../../src/reference/tile.ts';
 import type { TileRequest } from '../../src/reference/tileRequest.ts';
 import { tilesOf } from '../../src/reference/tracerPool.ts';
+import { withoutQuadric } from '../../src/scene/mesh/quadric.ts';
 import type { ColorMode } from '../../src/scene/settings/settings.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
 import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
@@ -34,7 +35,7 @@ export const reference: Bench = {
   title: 'The reference renderer: rays per second',
   about:
     `Rays through the pixels of a ${SIZE.width} × ${SIZE.height} picture by an observer at 0.5 c, to the nearest surface; one thread. three-mesh-bvh gets the same rays and meshes, at rest, in one ` +
-    'hierarchy built by the same heuristic. With motion a ray also solves for the event: of things at constant speed in their own frame, of sampled ones in spacetime triangles (250 samples). Over threads: ' +
+    'hierarchy built by the same heuristic. With motion a ray also solves for the event: of things at constant speed in their own frame, of sampled ones in spacetime triangles (250 samples). *Round solids*: the same spheres as the program draws them, without triangles. Over threads: ' +
     'whole pictures of the rigid scene with 2 × 2 samples, light and shadows; of colours, with one thread. Over samples: rays to fewer triangles, with more and more samples in the same ten seconds.',
   async run() {
     return [await againstStatic(), await overThreads(), await overColors(), await overSamples()];
@@ -60,21 +61,45 @@ function sender(scene: Scene): () => void {
 
 const millionPerSecond = (count: number, ms: number): number => count / ms / 1000;
 
+/** The spheres as the triangles that they are in other hierarchies. */
+function ofTriangles(scene: Scene): Scene {
+  // One mesh, so that all share its tree.
+  const mesh = withoutQuadric(scene.objects[0].mesh);
+  return { ...scene, objects: scene.objects.map((object) => ({ ...object, mesh })) };
+}
+
 async function againstStatic(): Promise<Table> {
-  const still = sphereScene(TRIANGLES, 'static');
+  const round = [sphereScene(TRIANGLES, 'static'), sphereScene(TRIANGLES, 'rigid')];
+  const [still, rigid] = round.map(ofTriangles);
   const cast = plainBvh(still, C);
   const lines = rays().map(({ x, dx }): readonly [Vec3, Vec3] => [x, scale(dx, 1 / length(dx))]);
   agree(still, lines, cast);
   const plain = (): void => {
     for (const [from, direction] of lines) cast(from, direction);
   };
-  const scenes = [still, coasting(still), sphereScene(TRIANGLES, 'rigid'), sphereScene(TRIANGLES, 'deforming')];
-  const [base, ...ours] = await interleaved([plain, ...scenes.map(sender)], ROUNDS);
-  const names = ['static', 'uniform', 'rigid', 'deforming'];
-  const row = (by: string, what: string, ms: number) => [by, what, millionPerSecond(lines.length, ms), base / ms];
+  const scenes: readonly (readonly [surfaces: string, motion: string, scene: Scene])[] = [
+    ['triangles', 'static', still],
+    ['triangles', 'uniform', coasting(still)],
+    ['triangles', 'rigid', rigid],
+    ['triangles', 'deforming', sphereScene(TRIANGLES, 'deforming')],
+    ['round solids', 'static', round[0]],
+    ['round solids', 'uniform', coasting(round[0])],
+    ['round solids', 'rigid', round[1]],
+  ];
+  const [base, ...ours] = await interleaved([plain, ...scenes.map(([, , scene]) => sender(scene))], ROUNDS);
+  const row = (by: string, surfaces: string, motion: string, ms: number) => [
+    by,
+    surfaces,
+    motion,
+    millionPerSecond(lines.length, ms),
+    base / ms,
+  ];
   return {
-    columns: ['hierarchy', 'motion', 'million rays/s', '÷ three-mesh-bvh'],
-    rows: [row('three-mesh-bvh', 'static', base), ...ours.map((ms, i) => row('Slowlight', names[i], ms))],
+    columns: ['hierarchy', 'surfaces', 'motion', 'million rays/s', '÷ three-mesh-bvh'],
+    rows: [
+      row('three-mesh-bvh', 'triangles', 'static', base),
+      ...ours.map((ms, i) => row('Slowlight', scenes[i][0], scenes[i][1], ms)),
+    ],
     remark: `${trianglesOf(still).toLocaleString('en')} triangles in ${still.objects.length} objects; ${Math.round(100 * hitShare(still))} % of the rays meet one at rest.`,
   };
 }
@@ -115,7 +140,7 @@ function coasting(scene: Scene): Scene {
 const trianglesOf = ({ objects }: Scene): number => objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
 
 async function overThreads(): Promise<Table> {
-  const scene = sphereScene(TRIANGLES, 'rigid');
+  const scene = ofTriangles(sphereScene(TRIANGLES, 'rigid'));
   const most = availableParallelism();
   const counts = [...new Set([1, 2, 4, 8, 16, 32, 64].filter((n) => n < most).concat(most))];
   const rows: (string | number)[][] = [];
@@ -143,7 +168,7 @@ const request = (settings: RenderSettings): TileRequest => ({
 async function overColors(): Promise<Table> {
   const rows: (string | number)[][] = [];
   for (const kind of ['static', 'rigid'] as const) {
-    const scene = createTracedScene(sphereScene(FEW_TRIANGLES, kind), C);
+    const scene = createTracedScene(ofTriangles(sphereScene(FEW_TRIANGLES, kind)), C);
     const draw = (colors: ColorMode) => () => {
       renderTile(scene, request({ ...SETTINGS, colors }), { x0: 0, y0: 0, x1: SIZE.width, y1: SIZE.height });
     };
@@ -167,7 +192,9 @@ async function overSamples(): Promise<Table> {
   const rows: (string | number)[][] = [];
   const count = SIZE.width * SIZE.height;
   for (const samples of SAMPLES) {
-    const works = (['rigid', 'deforming'] as const).map((kind) => sender(sphereScene(FEW_TRIANGLES, kind, samples)));
+    const works = (['rigid', 'deforming'] as const).map((kind) =>
+      sender(ofTriangles(sphereScene(FEW_TRIANGLES, kind, samples))),
+    );
     const [rigid, deforming] = await interleaved(works, ROUNDS);
     rows.push([String(samples), millionPerSecond(count, rigid), millionPerSecond(count, deforming)]);
   }

@@ -68,6 +68,7 @@ function starsNear(
 function transmittanceToCamera(scene: TracedScene, ray: SpacetimeRay): number {
   let transmitted = 1;
   const hidden = nearestHit(scene, ray, {
+    any: true,
     visibleSides: true,
     accepts: (hit) => {
       const opacity = coverage(scene, hit);

@@ -72,6 +72,8 @@ export interface RayFilter {
   readonly end?: number;
   /** Hits before this s are ignored; default 0. A ray that leaves a surface begins a little away from it. */
   readonly begin?: number;
+  /** Any hit will do, not only the nearest: the search ends with the first one that it finds. */
+  readonly any?: boolean;
   /** Only visible sides count: front sides, and back sides of double-sided meshes. */
   readonly visibleSides?: boolean;
   /** Called for every candidate nearer than the nearest so far; `false` lets the ray through (cut-outs, back faces). */

@@ -34,12 +34,15 @@ export interface ObjectIntersector {
   hitAt(ray: SpacetimeRay, crossing: Crossing): Hit;
 }
 
-/** The search for a ray's nearest hit. */
+/** Places that differ by no more than this fraction, some roundings, are the same. */
+const SAME_PLACE = 16 * Number.EPSILON;
+
+/** The search for a ray's nearest hit, or for any. */
 export class RayQuery implements Crossing {
   readonly ray: SpacetimeRay;
   /** Crossings before this s are ignored. */
   readonly begin: number;
-  /** Crossings beyond this s are ignored; it moves to the nearest crossing found. */
+  /** Crossings beyond this s are ignored; it moves to just behind the nearest crossing found, or to −∞ where any will do. */
   end: number;
   /** The nearest crossing; valid once one has been taken. */
   s = 0;
@@ -58,7 +61,7 @@ export class RayQuery implements Crossing {
     this.filter = filter;
   }
 
-  /** Takes a crossing if it is the nearest so far and the filter accepts it; returns whether it was taken. */
+  /** Takes a crossing if it is the nearest so far, of several at the same place the one that the scene lists last, and the filter accepts it; returns whether it was taken. */
   offer(
     tracer: ObjectIntersector,
     s: number,
@@ -68,20 +71,28 @@ export class RayQuery implements Crossing {
     front: boolean,
     piece: number,
   ): boolean {
-    if (!(s >= this.begin && s <= this.end) || (s === this.end && this.intersector)) return false;
-    const { visibleSides, accepts, alwaysAccept } = this.filter;
+    if (!(s >= this.begin && s <= this.end)) return false;
+    const isSamePlace = this.intersector !== undefined && s >= this.s * (1 - SAME_PLACE);
+    if (isSamePlace && !this.isBehindTaken(tracer, corner)) return false;
+    const { visibleSides, accepts, alwaysAccept, any } = this.filter;
     if (visibleSides && !front && !tracer.doubleSided) return false;
     const ask = accepts && !alwaysAccept?.[tracer.index];
     if (ask && !accepts(tracer.hitAt(this.ray, { s, corner, v, w, front, piece }))) return false;
-    this.end = s;
+    this.s = isSamePlace ? Math.min(s, this.s) : s;
+    this.end = any ? Number.NEGATIVE_INFINITY : Math.min(this.end, this.s * (1 + SAME_PLACE));
     this.intersector = tracer;
-    this.s = s;
     this.corner = corner;
     this.v = v;
     this.w = w;
     this.front = front;
     this.piece = piece;
     return true;
+  }
+
+  /** Whether a triangle is listed after that of the crossing taken last. */
+  private isBehindTaken({ index }: ObjectIntersector, corner: number): boolean {
+    const taken = this.intersector;
+    return !taken || index > taken.index || (index === taken.index && corner > this.corner);
   }
 
   get nearest(): Hit | undefined {

@@ -6,14 +6,17 @@ const MARGIN = 1e-9;
 export class TimeBvh {
   /** Number of pieces, each between two samples. */
   readonly pieces: number;
-  /** 6 per node; node 1 is the root, the children of node n are 2n and 2n + 1. */
-  private readonly boxes: Float64Array;
+  readonly piecesPerLeaf: number;
+  /** 6 per node; node 1 is the root of all pieces; that of first … last has the children 2n of first … `middlePiece` and 2n + 1 of the others. */
+  readonly boxes: Float64Array;
 
-  /** `outlines`: the object's boxes at the samples, 6 numbers each; in between its points move straight. */
-  constructor(outlines: Float64Array) {
-    this.pieces = outlines.length / 6 - 1;
-    this.boxes = new Float64Array(6 * 2 ** (2 + Math.ceil(Math.log2(this.pieces))));
-    this.fill(1, 0, this.pieces - 1, enlarged(outlines));
+  /** The object's box in each piece, 6 numbers each. Leaves are nodes of up to `piecesPerLeaf` pieces. */
+  constructor(pieceBoxes: Float64Array, piecesPerLeaf: number) {
+    this.pieces = pieceBoxes.length / 6;
+    this.piecesPerLeaf = piecesPerLeaf;
+    const levels = Math.max(0, Math.ceil(Math.log2(this.pieces / piecesPerLeaf)));
+    this.boxes = new Float64Array(6 * 2 ** (levels + 1));
+    this.fill(1, 0, this.pieces - 1, enlarged(pieceBoxes));
   }
 
   /** The root's box: min x y z, max x y z. */
@@ -21,44 +24,33 @@ export class TimeBvh {
     return this.boxes.subarray(6, 12);
   }
 
-  /** Whether a line (o x y z, d x y z) is in a node's box anywhere between s = near and s = far. */
-  intersects(node: number, line: Float64Array, near: number, far: number): boolean {
-    const { boxes } = this;
-    let from = near;
-    let to = far;
-    for (let axis = 0; axis < 3; axis++) {
-      const a = boxes[6 * node + axis] - line[axis];
-      const b = boxes[6 * node + 3 + axis] - line[axis];
-      const d = line[3 + axis];
-      if (d === 0) {
-        if (a > 0 || b < 0) return false;
-        continue;
-      }
-      from = Math.max(from, Math.min(a / d, b / d));
-      to = Math.min(to, Math.max(a / d, b / d));
-      if (from > to) return false;
-    }
-    return true;
-  }
-
-  private fill(node: number, first: number, last: number, outlines: Float64Array): void {
+  private fill(node: number, first: number, last: number, pieceBoxes: Float64Array): void {
     const { boxes } = this;
     emptyBox(boxes, 6 * node);
-    if (first === last) {
-      growBox(boxes, 6 * node, outlines, 6 * first);
-      growBox(boxes, 6 * node, outlines, 6 * first + 6);
+    if (last - first < this.piecesPerLeaf) {
+      for (let k = first; k <= last; k++) growBox(boxes, 6 * node, pieceBoxes, 6 * k);
       return;
     }
-    const middle = (first + last) >> 1;
-    this.fill(2 * node, first, middle, outlines);
-    this.fill(2 * node + 1, middle + 1, last, outlines);
+    const middle = middlePiece(first, last);
+    this.fill(2 * node, first, middle, pieceBoxes);
+    this.fill(2 * node + 1, middle + 1, last, pieceBoxes);
     growBox(boxes, 6 * node, boxes, 12 * node);
     growBox(boxes, 6 * node, boxes, 12 * node + 6);
   }
 }
 
+/** The last piece of the first half of first … last. */
+export const middlePiece = (first: number, last: number): number => (first + last) >> 1;
+
+/** The boxes of pieces between two samples each, from those at the samples: in between points move straight. */
+export function boxesBetween(outlines: Float64Array): Float64Array {
+  const boxes = outlines.slice(6);
+  for (let k = 0; k < boxes.length; k += 6) growBox(boxes, k, outlines, k);
+  return boxes;
+}
+
 /** Enlarges the boxes by more than the rounding errors of the greatest coordinate. */
-function enlarged(outlines: Float64Array): Float64Array {
-  const reach = outlines.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
-  return outlines.map((x, i) => x + (i % 6 < 3 ? -MARGIN : MARGIN) * reach);
+function enlarged(boxes: Float64Array): Float64Array {
+  const reach = boxes.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+  return boxes.map((x, i) => x + (i % 6 < 3 ? -MARGIN : MARGIN) * reach);
 }

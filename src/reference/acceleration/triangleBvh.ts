@@ -63,16 +63,6 @@ export function boxOfTriangle(
   at: number,
 ): void {
   emptyBox(boxes, k);
-  growByTriangle(boxes, k, positions, indices, at);
-}
-
-export function growByTriangle(
-  boxes: Float64Array,
-  k: number,
-  positions: ArrayLike<number>,
-  indices: Uint32Array,
-  at: number,
-): void {
   for (let corner = at; corner < at + 3; corner++)
     for (let i = 0; i < 3; i++) {
       const x = positions[3 * indices[corner] + i];

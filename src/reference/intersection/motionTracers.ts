@@ -11,15 +11,15 @@ import type { Motion, Pose, SampledMotion, SceneObject, UniformMotion } from '..
 import type { ObjectIntersector } from '../acceleration/rayQuery.ts';
 import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
 import { HyperbolicRayIntersector } from './hyperbolic.ts';
-import { PointShapes } from './pointShapes.ts';
-import { PoseShapes } from './poseShapes.ts';
 import { HyperbolicQuadricIntersector } from './quadrics/hyperbolicQuadric.ts';
 import { RigidQuadricIntersector } from './quadrics/rigidQuadric.ts';
 import type { RoundSolid } from './quadrics/roundSolid.ts';
 import { SampledQuadricIntersector } from './quadrics/sampledQuadric.ts';
 import { RigidIntersector } from './rigid.ts';
-import { SampledRayIntersector } from './sampled.ts';
-import { SampledShapes, type ShapeCache } from './sampledShapes.ts';
+import { PointShapes } from './sampled/pointShapes.ts';
+import { SampledPointsRayIntersector } from './sampled/sampledPoints.ts';
+import { SampledPosesRayIntersector } from './sampled/sampledPoses.ts';
+import { SampledShapes, type ShapeCache } from './sampled/sampledShapes.ts';
 
 /** What an intersector is created from, besides its object. */
 export interface TracerInputs {
@@ -112,12 +112,12 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
     isAuthoredMoving: isAuthoredInWorld,
   },
   sampled: {
-    keepsShape: false,
+    keepsShape: true,
     mapsToMesh: false,
-    createIntersector: (object, { index, c, solid, store }) =>
+    createIntersector: (object, { index, tree, solid, c }) =>
       solid
         ? new SampledQuadricIntersector(index, object, solid, c)
-        : new SampledRayIntersector(index, object, c, new SampledShapes(object.mesh, new PoseShapes(object), store)),
+        : new SampledPosesRayIntersector(index, object, tree(), c),
     isAuthoredMoving: isAuthoredInWorld,
     vertexPlaces: ({ mesh, motion }, t) => turned(motion, mesh.positions, t),
     vertexNormals: ({ mesh, motion }, t) => turned(motion, mesh.normals, t),
@@ -127,7 +127,12 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
     keepsShape: false,
     mapsToMesh: false,
     createIntersector: (object, { index, c, store }) =>
-      new SampledRayIntersector(index, object, c, new SampledShapes(object.mesh, new PointShapes(object, c), store)),
+      new SampledPointsRayIntersector(
+        index,
+        object,
+        c,
+        new SampledShapes(object.mesh, new PointShapes(object, c), store),
+      ),
     isAuthoredMoving: () => true,
     vertexPlaces: ({ motion }, t, c) => deformedPoints(motion, t, c),
     vertexNormals: ({ mesh, motion }, t) => {

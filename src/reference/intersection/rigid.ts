@@ -113,7 +113,7 @@ export class RigidIntersector implements ObjectIntersector {
         const sum = p + q + r;
         const s = ((p * az + q * bz + r * cz) / sum) * sz;
         if (!(s >= begin && s <= limit)) continue;
-        if (search.offer(this, s, first[i], q / sum, r / sum, sum * sz > 0, 0)) limit = s;
+        if (search.offer(this, s, first[i], q / sum, r / sum, sum * sz > 0, 0)) limit = search.end;
       }
     }
   }

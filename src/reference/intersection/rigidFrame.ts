@@ -54,12 +54,18 @@ export class RigidFrame {
   writeLine({ t, x, dt, dx }: SpacetimeRay, m: Float64Array, line: Float64Array): void {
     const { velocity: v, beta } = this;
     const p = this.pose.position;
-    const [ox, oy, oz] = [x[0] - p[0] - v[0] * t, x[1] - p[1] - v[1] * t, x[2] - p[2] - v[2] * t];
-    const [dX, dY, dZ] = [dx[0] - beta[0] * dt, dx[1] - beta[1] * dt, dx[2] - beta[2] * dt];
-    for (let i = 0; i < 3; i++) {
-      line[i] = m[3 * i] * ox + m[3 * i + 1] * oy + m[3 * i + 2] * oz;
-      line[3 + i] = m[3 * i] * dX + m[3 * i + 1] * dY + m[3 * i + 2] * dZ;
-    }
+    const ox = x[0] - p[0] - v[0] * t;
+    const oy = x[1] - p[1] - v[1] * t;
+    const oz = x[2] - p[2] - v[2] * t;
+    const dX = dx[0] - beta[0] * dt;
+    const dY = dx[1] - beta[1] * dt;
+    const dZ = dx[2] - beta[2] * dt;
+    line[0] = m[0] * ox + m[1] * oy + m[2] * oz;
+    line[1] = m[3] * ox + m[4] * oy + m[5] * oz;
+    line[2] = m[6] * ox + m[7] * oy + m[8] * oz;
+    line[3] = m[0] * dX + m[1] * dY + m[2] * dZ;
+    line[4] = m[3] * dX + m[4] * dY + m[5] * dZ;
+    line[5] = m[6] * dX + m[7] * dY + m[8] * dZ;
   }
 
   /** The hit of a crossing. `normal`: of the surface as authored, in the object's axes. */

@@ -10,7 +10,7 @@ import { meshBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
 import { nearestOnCurve } from './curveHit.ts';
 import { motionTracer } from './motionTracers.ts';
 import { RoundSolid } from './quadrics/roundSolid.ts';
-import { ShapeCache } from './sampledShapes.ts';
+import { ShapeCache } from './sampled/sampledShapes.ts';
 
 /** A scene with the acceleration structures for tracing rays. */
 export interface TracedScene {
@@ -109,7 +109,8 @@ function createIntersector(
 }
 
 /**
- * The first event on the ray, between `begin` and `end`, at which it meets a surface within its lifetime, from either side. `accepts` is called
+ * The first event on the ray, between `begin` and `end`, at which it meets a surface within its lifetime, from either side; of two at the same place that of the
+ * object and triangle that the scene lists last, as pictures show what is drawn last. `accepts` is called
  * for each candidate nearer than all accepted before, in no particular order, and must not trace rays itself.
  * @example
  * import { box, IDENTITY_POSE, makeObject, makeScene } from 'slowlight/scene';

@@ -38,6 +38,7 @@ export function visibility(scene: TracedScene, beam: RaySegment, end: number): V
   const blocked = nearestHit(scene, beam.ray, {
     begin: beam.begin,
     end,
+    any: true,
     accepts: (hit) => {
       if (!isElsewhere(scene, beam, hit)) return false;
       if (materialOf(scene, hit).transmission) {

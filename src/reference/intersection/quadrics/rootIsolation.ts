@@ -1,4 +1,5 @@
 import { brent } from '../../../math/roots.ts';
+import { norm } from '../../../math/vec3.ts';
 import type { Crossings } from './crossings.ts';
 import type { BoundingSurface, RoundSolid } from './roundSolid.ts';
 
@@ -37,7 +38,7 @@ function isolate(surface: BoundingSurface, ray: CurvedRay, from: number, to: num
   const { a, b, c, d } = surface;
   const value = a * (y[0] * y[0] + y[1] * y[1]) + (b * y[2] + c) * y[2] + d;
   const slope = 2 * a * (y[0] * dy[0] + y[1] * dy[1]) + (2 * b * y[2] + c) * dy[2];
-  const away = Math.hypot(y[0], y[1], y[2]);
+  const away = norm(y[0], y[1], y[2]);
   ray.bound(middle, half);
   const curvature = Math.max(Math.abs(a), Math.abs(b));
   const gradient = 2 * curvature * (away + ray.speed * half) + Math.abs(c);

@@ -1,11 +1,11 @@
-import type { Vec3 } from '../../math/vec3.ts';
-import { sampleBoundingBox } from '../../scene/bounds/bounds.ts';
-import { isCubic } from '../../scene/motion/cubicPoints.ts';
-import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
-import { isListed, pointsAt } from '../../scene/streaming/samplePoints.ts';
-import type { SampledPointsMotion } from '../../scene/types.ts';
-import { emptyBox } from '../acceleration/bvh.ts';
-import { buildTriangleBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { sampleBoundingBox } from '../../../scene/bounds/bounds.ts';
+import { isCubic } from '../../../scene/motion/cubicPoints.ts';
+import type { ObjectWith } from '../../../scene/motion/kinds/motionKind.ts';
+import { isListed, pointsAt } from '../../../scene/streaming/samplePoints.ts';
+import type { SampledPointsMotion } from '../../../scene/types.ts';
+import { emptyBox } from '../../acceleration/bvh.ts';
+import { buildTriangleBvh, type TriangleBvh } from '../../acceleration/triangleBvh.ts';
 import { CubicChords } from './cubicChords.ts';
 import type { ShapeSource } from './sampledShapes.ts';
 

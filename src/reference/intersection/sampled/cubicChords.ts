@@ -1,9 +1,9 @@
-import type { Vec3 } from '../../math/vec3.ts';
-import { cubicAt, withBend } from '../../physics/worldLines/cubicPiece.ts';
-import { samplesUntil } from '../../physics/worldLines/samples.ts';
-import { boundingSphere } from '../../scene/bounds/bounds.ts';
-import { bendFactor, type CubicPointsMotion, pointPiece } from '../../scene/motion/cubicPoints.ts';
-import { emptyBox } from '../acceleration/bvh.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { cubicAt, withBend } from '../../../physics/worldLines/cubicPiece.ts';
+import { samplesUntil } from '../../../physics/worldLines/samples.ts';
+import { boundingSphere } from '../../../scene/bounds/bounds.ts';
+import { bendFactor, type CubicPointsMotion, pointPiece } from '../../../scene/motion/cubicPoints.ts';
+import { emptyBox } from '../../acceleration/bvh.ts';
 
 /** Greatest distance of chords from the cubic, as a fraction of the object's size: its radius at the middle sample. */
 const CHORD_TOLERANCE = 1e-6;

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { direction, expectClose, uniform } from '../../../tests/support/physicsArbitraries.ts';
-import { add, addScaled, cross, dot, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { direction, expectClose, uniform } from '../../../../tests/support/physicsArbitraries.ts';
+import { add, addScaled, cross, dot, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
 
 const vector = fc.tuple(direction, uniform(0.2, 2)).map(([n, r]) => scale(n, r));

@@ -1,4 +1,4 @@
-import { BarycentricTest } from './barycentrics.ts';
+import { BarycentricTest } from '../barycentrics.ts';
 
 /** Two crossings closer than this fraction of `length` count as one. */
 const MIN_SEPARATION = 1e-9;
