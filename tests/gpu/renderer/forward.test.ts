@@ -80,4 +80,18 @@ describe('a picture without a G-buffer is that with one, to 1/255', () => {
     expectSame(name, onWebGl);
     chromium.assertHealthy();
   });
+
+  it('its shaders are compiled ahead while other pictures divide more and more triangles', async () => {
+    const scene = await openScene(files, 'dice.usdc');
+    const [{ view, settings }] = shotsOf(scene) as [Shot];
+    const ahead = rotate(view.orientation, [0, 0, -1]);
+    const shots = [0, 0.3, 0.6, 0.9, 0.95, 0.98].map((beta) => ({
+      view: { ...view, u: properVelocity(scale(ahead, beta)) },
+      settings,
+    }));
+    const linked = await chromium.page.evaluate((cases) => window.linkLate('dice.usdc', cases), shots);
+    expect(linked.ahead).toBeGreaterThan(2);
+    expect(linked.late).toBe(0);
+    chromium.assertHealthy();
+  });
 });
