@@ -29,6 +29,7 @@ import { shaderTextFaults } from '../../nodes/project/shaderTextFaults.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { Backend } from '../../render/settings.ts';
+import type { PicturePosition } from '../viewport/legend/legendState.ts';
 import { coalesce } from './coalesce.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
 import { type SimulationRun, simulationRuns } from './simulationRuns.ts';
@@ -107,6 +108,8 @@ export interface EditorState {
   readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';
   /** The tool that is used over the picture. */
   readonly tool?: 'inspect' | 'measure';
+  /** Where a menu is open for what the picture shows there. */
+  readonly pictureMenu?: PicturePosition | undefined;
   /** Whether only the picture is shown, without panels. */
   readonly maximized: boolean;
   /** Whether the node graph is shown. */
