@@ -11,6 +11,7 @@ import type { Root } from 'react-dom/client';
 import type { LessonPlace } from '../lessons/lessonAddress.ts';
 import type { Backend } from '../render/settings.ts';
 import { EditorApp } from './EditorApp.tsx';
+import { isCoarse } from './flight/inputDevice.ts';
 import { ObserverController } from './flight/observerController.ts';
 import { setLanguage, useTexts } from './language/languageStore.ts';
 import { readFont } from './loading/fonts.ts';
@@ -34,6 +35,7 @@ export interface StartOptions extends StartupRequest {
 
 /** Starts the editor in a page. */
 export async function startEditor(root: Root, { backend: wanted, lesson, ...asked }: StartOptions): Promise<void> {
+  if (isCoarse) void import('./coarse.css');
   const { language, legend: withLegend, flight, comfort } = loadPreferences();
   legendStore.setState({ visible: withLegend });
   const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);

@@ -166,3 +166,98 @@ it.each(Object.entries(DEVICES))('on %s the flight controls cover neither texts 
   await visit.shot(`touch-${size.width}`);
   await visit.close();
 });
+
+/** What a finger 21 px beside the middle of a control would miss: fields, buttons and sliders that are in view. */
+const smallTargets = (page: Page): Promise<string[]> =>
+  page.evaluate(() => {
+    const controls = 'button, a, input:not([type=file]), [role=tab], [role=slider], [role=switch], [role=combobox]';
+    const missed: string[] = [];
+    for (const control of document.querySelectorAll<HTMLElement>(controls)) {
+      // Switches and segments are hit by their labels.
+      const label = control.closest('label') ?? document.querySelector(`label[for="${control.id}"]`);
+      const hit = control.matches('[role=switch], [type=radio]') && label ? label : control;
+      const { left, top, width, height } = hit.getBoundingClientRect();
+      const [x, y] = [left + width / 2, top + height / 2];
+      const isSeen = width > 1 && hit.checkVisibility({ visibilityProperty: true }) && !control.closest('[inert]');
+      const within = document.elementFromPoint(x, y);
+      if (!isSeen || !within || !hit.contains(within)) continue;
+      const scrolled = control.closest('.mantine-ScrollArea-viewport')?.getBoundingClientRect();
+      if (scrolled && (y - 22 < scrolled.top || y + 22 > scrolled.bottom)) continue;
+      // A slider is hit along all of its track.
+      const target = control.closest('.mantine-Slider-root') ?? hit;
+      const beside = [
+        [x - 21, y],
+        [x + 21, y],
+        [x, y - 21],
+        [x, y + 21],
+      ] as const;
+      const name = control.getAttribute('aria-label') ?? control.textContent;
+      for (const [px, py] of beside)
+        if (
+          px > 0 &&
+          py > 0 &&
+          px < innerWidth &&
+          py < innerHeight &&
+          !target.contains(document.elementFromPoint(px, py))
+        )
+          missed.push(`${control.tagName} ${name} at ${px - x}, ${py - y}`);
+    }
+    return missed;
+  });
+
+describe.each(['a small phone', 'a phone', 'a tablet'] as const)('on %s', (name) => {
+  it('whatever is tapped is at least 44 px large, and nothing is cut', async () => {
+    const visit = await opened('dice', DEVICES[name]);
+    const { page } = visit;
+    await expect.poll(() => smallTargets(page)).toEqual([]);
+    const sheet = page.getByRole('button', { name: 'Panels' });
+    if (name !== 'a tablet') {
+      // A tab opens the sheet, and closes it.
+      const tab = page.getByRole('tab', { name: 'Controls' });
+      const pictureHeight = async () => (await visit.viewport.boundingBox())!.height;
+      const before = await pictureHeight();
+      await tab.tap();
+      await expect.poll(() => sheet.getAttribute('aria-expanded')).toBe('true');
+      expect(await pictureHeight()).toBeLessThan(0.7 * before);
+      await page.getByRole('textbox', { name: 'Speed of light', exact: true }).waitFor();
+      await expect.poll(() => smallTargets(page)).toEqual([]);
+      await visit.settled();
+      await visit.shot(`touch-sheet-${DEVICES[name].width}`);
+      await tab.tap();
+      await expect.poll(() => sheet.getAttribute('aria-expanded')).toBe('false');
+      // A drag up opens it as far as the finger goes.
+      const touches = await Touches.on(page);
+      await touches.downOn(1, tab);
+      await touches.move(1, 0, -200);
+      await touches.up(1);
+      await expect.poll(pictureHeight).toBeCloseTo(before - 200, -1);
+      await page.getByRole('button', { name: 'More' }).tap();
+      await page.getByRole('menuitem', { name: 'Keys and help' }).tap();
+      await page.getByRole('dialog').getByText('Thrust pad').waitFor();
+      await visit.settled();
+      await visit.shot(`touch-help-${DEVICES[name].width}`);
+      await page.getByRole('dialog').getByRole('button', { name: 'Close' }).tap();
+    }
+    const wide = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(await wide()).toBeLessThanOrEqual(0);
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]!.html}`)).toEqual([]);
+    await visit.close();
+  });
+});
+
+it('a phone that is turned has its panels beside the picture, and below it again', async () => {
+  const visit = await opened('sphere', PHONE);
+  const { page } = visit;
+  await page.getByRole('button', { name: 'Panels', expanded: false }).waitFor();
+  const picture = async () => (await visit.viewport.boundingBox())!;
+  const upright = await picture();
+  await page.setViewportSize({ width: PHONE.height, height: PHONE.width });
+  await expect.poll(async () => (await picture()).width).toBeLessThan(PHONE.height - 260);
+  await page.getByRole('textbox', { name: 'Speed of light', exact: true }).waitFor();
+  await page.setViewportSize(PHONE);
+  await expect.poll(async () => (await picture()).width).toBe(upright.width);
+  await page.getByRole('button', { name: 'Panels', expanded: true }).tap();
+  await expect.poll(async () => (await picture()).height).toBe(upright.height);
+  await visit.close();
+});

@@ -3013,6 +3013,7 @@ const messages: Translation['messages'] = {
   // The viewport
   'Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.':
     '画面。W A S D Q E 飞行，方向键转头，Tab 切换锁定，Escape 离开画面。',
+  Panels: '面板',
   'Flight controls': '飞行控制',
   Rise: '上升',
   Sink: '下降',
