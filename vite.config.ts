@@ -126,7 +126,7 @@ function fonts(): Plugin {
 
 /** Themes of the dock, and parts that this page's dock does not have: floating groups, pane views, pinned and grouped tabs, menus of tabs. */
 const UNUSED_OF_DOCK =
-  /dockview-theme-|\.dv-(?:pane|pinned|debug|floating|resize-container|edge-peek|context-menu|tab-group-chip)/;
+  /dockview-theme-|\.dv-(?:pane|pinned|debug|floating-titlebar|resize-container|edge-peek|context-menu|tab-group-chip)/;
 
 /** Dockview ships all its themes and parts in one sheet; the page has a theme of its own, and few of the parts. */
 function ownDockTheme(): Plugin {

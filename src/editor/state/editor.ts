@@ -32,6 +32,7 @@ import type { Backend } from '../../render/settings.ts';
 import type { PicturePosition } from '../viewport/legend/legendState.ts';
 import { coalesce } from './coalesce.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
+import type { FrameRate } from './preferences.ts';
 import { type SimulationRun, simulationRuns } from './simulationRuns.ts';
 
 /** Work in progress. */
@@ -103,6 +104,8 @@ export interface EditorState {
   readonly outsideView?: boolean;
   /** Whether the rim of the picture darkens while it flows fast. */
   readonly vignette?: boolean;
+  /** Pictures drawn per second at most; absent: as many as the screen shows. */
+  readonly frameRate?: FrameRate | undefined;
   readonly playing: boolean;
   readonly loop: boolean;
   readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';

@@ -3014,6 +3014,14 @@ const messages: Translation['messages'] = {
   'Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.':
     '画面。W A S D Q E 飞行，方向键转头，Tab 切换锁定，Escape 离开画面。',
   Panels: '面板',
+  'Look around by turning the device': '转动设备以环顾',
+  'How the device is held is told to pages of https and of the device itself alone.':
+    '只有经 https 或来自本机的页面才能得知设备的姿态。',
+  'The system does not tell this page how the device is held.': '系统不向本页面提供设备的姿态。',
+  'This device does not tell how it is held.': '此设备不提供自身的姿态。',
+  'Pictures per second': '每秒画面数',
+  'As the screen': '与屏幕相同',
+  'At most {}': '最多 {1}',
   'Flight controls': '飞行控制',
   Rise: '上升',
   Sink: '下降',
