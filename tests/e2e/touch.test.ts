@@ -97,6 +97,8 @@ describe('a touched page', () => {
     const visit = await opened('sphere', PHONE);
     const { page } = visit;
     const touches = await Touches.on(page);
+    // It lies over the middle of the picture.
+    await page.getByRole('button', { name: 'Hide' }).tap();
     const { x, y, width, height } = (await visit.viewport.boundingBox())!;
     const middle = [x + width / 2, y + height / 2] as const;
     const card = page.locator('[data-inspection]');
