@@ -11,6 +11,7 @@ import type { Root } from 'react-dom/client';
 import type { LessonPlace } from '../lessons/lessonAddress.ts';
 import type { Backend } from '../render/settings.ts';
 import { EditorApp } from './EditorApp.tsx';
+import { isCoarse } from './flight/inputDevice.ts';
 import { ObserverController } from './flight/observerController.ts';
 import { setLanguage, useTexts } from './language/languageStore.ts';
 import { readFont } from './loading/fonts.ts';
@@ -34,7 +35,8 @@ export interface StartOptions extends StartupRequest {
 
 /** Starts the editor in a page. */
 export async function startEditor(root: Root, { backend: wanted, lesson, ...asked }: StartOptions): Promise<void> {
-  const { language, legend: withLegend, flight, comfort } = loadPreferences();
+  if (isCoarse) void import('./coarse.css');
+  const { language, legend: withLegend, flight, comfort, frameRate } = loadPreferences();
   legendStore.setState({ visible: withLegend });
   const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);
   if (!backend) {
@@ -62,7 +64,7 @@ export async function startEditor(root: Root, { backend: wanted, lesson, ...aske
     playing,
   });
   if (view) editor.update({ loop: view.loop });
-  editor.update({ lesson });
+  editor.update({ lesson, frameRate });
   if (problem) editor.notify({ kind: 'error', ...problem });
   const observerController = new ObserverController(editor, view);
   if (flight) void import('./flight/deck/openDeck.ts').then(({ openDeck }) => openDeck(editor, observerController));

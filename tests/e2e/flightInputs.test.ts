@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { type MonitoredPage, Program } from './program.ts';
 import { drop } from './support.ts';
+import { Touches } from './touches.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -69,17 +70,22 @@ const gamepad = (page: Page): Device => ({
   releaseBrake: () => setPad(page, 0, []),
 });
 
-/** Two fingers that move up to accelerate; down, against the motion: gently, so that a slow page does not miss the moment before one flies backwards. */
-async function fingers(page: Page): Promise<Device> {
-  const session = await page.context().newCDPSession(page);
-  const points = (dy: number) => [250, 350].map((x, id) => ({ x, y: 300 + dy, id }));
-  const move = async (dy: number) => {
-    await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
-    for (const part of [0.5, 1])
-      await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(part * dy) });
+/** A finger on the thrust pad, ahead of its middle, and one on the button that brakes. */
+async function finger(page: Page): Promise<Device> {
+  const touches = await Touches.on(page);
+  const lift = () => touches.up(1);
+  return {
+    push: async () => {
+      // The page has its pad while it is touched: here after a look around and back.
+      await touches.downOn(1, page.locator('[data-viewport]'));
+      for (const dx of [40, -40]) await touches.move(1, dx, 0);
+      await touches.up(1);
+      await touches.downOn(1, page.getByRole('button', { name: /^Thrust pad/ }), [0, -60]);
+    },
+    letGo: lift,
+    brake: () => touches.downOn(1, page.getByRole('button', { name: 'Brake' })),
+    releaseBrake: lift,
   };
-  const up = async () => void (await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] }));
-  return { push: () => move(-100), letGo: up, brake: () => move(10), releaseBrake: up };
 }
 
 async function flies(visit: MonitoredPage, { push, letGo, brake, releaseBrake }: Device): Promise<void> {
@@ -100,10 +106,10 @@ async function opened(): Promise<MonitoredPage> {
   return visit;
 }
 
-it('one flies by keyboard, gamepad and fingers, in each way of flying by hand', async () => {
+it('one flies by keyboard, gamepad and touch, in each way of flying by hand', async () => {
   const visit = await opened();
   const { page } = visit;
-  const devices = [keyboard(page), gamepad(page), await fingers(page)];
+  const devices = [keyboard(page), gamepad(page), await finger(page)];
   for (const name of ['Velocity', 'Drive', 'Thrust', 'Vehicle']) {
     await page.getByRole('button', { name: `Flight: ${name}` }).waitFor();
     for (const device of devices) {

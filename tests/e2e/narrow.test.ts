@@ -38,6 +38,13 @@ const outside = (visit: MonitoredPage): Promise<string[]> =>
     return found;
   });
 
+/** Opens the panels where they are a sheet below the picture. */
+async function openSheet({ page }: MonitoredPage): Promise<void> {
+  const button = page.locator('.sl-sheet-button');
+  await button.waitFor();
+  if ((await button.getAttribute('aria-expanded')) === 'false') await button.click();
+}
+
 async function type(visit: MonitoredPage, name: string, value: string): Promise<void> {
   const field = visit.page.getByRole('textbox', { name, exact: true });
   await field.fill(value);
@@ -84,6 +91,7 @@ describe('a narrow page', () => {
       await visit.page.getByRole('button', { name: 'Less', exact: true }).click();
       await expect.poll(hidden).toBeGreaterThan(10);
     }
+    await openSheet(visit);
     // The longest numbers possible, and every unphysical setting.
     await type(visit, words.c, '299792458');
     await type(visit, words.beaming, '0.5');
@@ -101,6 +109,7 @@ describe('a narrow page', () => {
     await expectFit(visit, sizes, `narrow-${locale}`);
     expect(await seriousViolations(visit)).toEqual([]);
     await visit.page.keyboard.press('Escape');
+    await openSheet(visit);
     await visit.page.getByText(words.scene, { exact: true }).last().click();
     await expectFit(visit, sizes, `narrow-${locale}-scene`);
     expect(await seriousViolations(visit)).toEqual([]);

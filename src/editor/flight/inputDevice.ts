@@ -4,9 +4,10 @@ import { create } from 'zustand';
 /** How the page is used: by keys and mouse, or by touch. Decided by the last input; at first by the device's main pointer. */
 export type InputDevice = 'keys' | 'touch';
 
-const useStore = create<{ readonly device: InputDevice }>(() => ({
-  device: globalThis.matchMedia?.('(pointer: coarse)').matches ? 'touch' : 'keys',
-}));
+/** Whether fingers are the device's main pointer. */
+export const isCoarse: boolean = globalThis.matchMedia?.('(pointer: coarse)').matches === true;
+
+const useStore = create<{ readonly device: InputDevice }>(() => ({ device: isCoarse ? 'touch' : 'keys' }));
 
 export const useInputDevice = (): InputDevice => useStore(({ device }) => device);
 

@@ -1,7 +1,6 @@
 import type { AskedYaw, SnapTurn } from '../../flight/comfort/snapTurn.ts';
 import type { FlightControls } from '../../flight/controls.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
-import { TouchFlight } from './touchFlight.ts';
 
 /** Thrust of each key in camera axes, by physical key (`KeyboardEvent.code`), the same on every layout. */
 const THRUST_KEYS: Readonly<Record<string, Vec3>> = {
@@ -34,13 +33,20 @@ export const isFlightKey = (code: string): boolean =>
 /** Button indices of the W3C standard gamepad. */
 const GAMEPAD_BUTTONS = { play: 0, lock: 3, down: 4, up: 5, brake: 6, full: 7, rollLeft: 14, rollRight: 15 } as const;
 
+/** Controls on the screen as they are held now. */
+export interface HeldOnScreen extends Pick<FlightControls, 'thrust' | 'fullSpeed' | 'brake'> {
+  /** Lets go of all, also of what is held without a finger. */
+  readonly letGo: () => void;
+}
+
 /** Keys, drags, fingers and gamepad as they are held now. */
 export class InputState {
   private readonly keys = new Set<string>();
-  private pendingTurn: [yaw: number, pitch: number] = [0, 0];
+  private pendingTurn: [yaw: number, pitch: number, roll: number] = [0, 0, 0];
   private pressed = new Set<number>();
   private fullSpeed = false;
-  readonly touch = new TouchFlight();
+  /** Absent until the page is touched. */
+  screen: HeldOnScreen | undefined;
   /** Absent: one turns continuously. */
   snapTurn: SnapTurn | undefined;
 
@@ -58,10 +64,10 @@ export class InputState {
     this.keys.clear();
     this.fullSpeed = false;
   }
-  /** Adds a rotation by the mouse [rad]. */
-  turn(yaw: number, pitch: number): void {
-    this.pendingTurn[0] += yaw;
-    this.pendingTurn[1] += pitch;
+  /** Adds a rotation by mouse or fingers [rad]. */
+  turn(yaw: number, pitch: number, roll = 0): void {
+    const [y, p, r] = this.pendingTurn;
+    this.pendingTurn = [y + yaw, p + pitch, r + roll];
   }
 
   /** Those of the next dt [s]. What has been turned since the last call is taken. */
@@ -71,7 +77,8 @@ export class InputState {
       const push = THRUST_KEYS[key];
       if (push) for (let axis = 0; axis < 3; axis++) thrust[axis]! += push[axis]!;
     }
-    this.touch.thrust().forEach((push, axis) => {
+    const { screen } = this;
+    screen?.thrust.forEach((push, axis) => {
       thrust[axis]! += push;
     });
     const pad = gamepad();
@@ -81,17 +88,20 @@ export class InputState {
       thrust[1] += buttonValue(pad, GAMEPAD_BUTTONS.up) - buttonValue(pad, GAMEPAD_BUTTONS.down);
     }
     const l = Math.max(1, length(thrust));
-    const fullSpeed = this.fullSpeed || (pad !== undefined && buttonValue(pad, GAMEPAD_BUTTONS.full) > 0);
-    const brake = this.keys.has(BRAKE_KEY) || (pad !== undefined && buttonValue(pad, GAMEPAD_BUTTONS.brake) > 0);
+    const fullSpeed =
+      this.fullSpeed || screen?.fullSpeed === true || (pad !== undefined && buttonValue(pad, GAMEPAD_BUTTONS.full) > 0);
+    const brake =
+      this.keys.has(BRAKE_KEY) ||
+      screen?.brake === true ||
+      (pad !== undefined && buttonValue(pad, GAMEPAD_BUTTONS.brake) > 0);
     return { thrust: [thrust[0] / l, thrust[1] / l, thrust[2] / l], turn: this.takeTurn(dt), fullSpeed, brake };
   }
 
   /** Pitch, yaw and roll since the last call [rad]; dt [s]. */
   private takeTurn(dt: number): Vec3 {
-    const [dragged, draggedUp] = this.pendingTurn;
-    let [held, pitch] = [0, draggedUp];
-    this.pendingTurn = [0, 0];
-    let roll = this.touch.takeRoll();
+    const [dragged, draggedUp, twisted] = this.pendingTurn;
+    let [held, pitch, roll] = [0, draggedUp, twisted];
+    this.pendingTurn = [0, 0, 0];
     for (const key of this.keys) {
       roll += (ROLL_KEYS[key] ?? 0) * LOOK_SPEED * dt;
       held += LOOK_KEYS[key]?.[0] ?? 0;

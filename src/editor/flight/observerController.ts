@@ -109,6 +109,7 @@ export class ObserverController {
   restart(): void {
     if (!this.currentPicture) return;
     this.held?.end();
+    this.inputs.screen?.letGo();
     this.state = initialObserver(this.currentPicture);
     const moving = this.currentPicture.scene.hints.beta !== undefined;
     this.editor.update({ lock: moving ? 'look' : 'free', cruise: moving });
@@ -131,6 +132,7 @@ export class ObserverController {
   turnBack(): void {
     if (!this.limits || !this.currentPicture) return;
     this.held?.end();
+    this.inputs.screen?.letGo();
     const { min, max } = this.limits.box;
     const { position } = this.state;
     const up = sceneUpVector(this.currentPicture.scene);

@@ -8,9 +8,9 @@ import { isFlightKey, isThrustKey } from './inputState.ts';
 import type { ObserverController } from './observerController.ts';
 
 /** [rad] per pixel of dragging. */
-const RADIANS_PER_PIXEL = 0.0032;
+export const RADIANS_PER_PIXEL = 0.0032;
 
-/** Keyboard, mouse and touch input of the viewport while it has the focus. Returns whether it has the focus. */
+/** Keyboard and mouse input of the viewport while it has the focus. Returns whether it has the focus. */
 export function useFlightControls(host: RefObject<HTMLElement | null>): boolean {
   const editor = useEditor();
   const { observerController } = useServices();
@@ -18,7 +18,6 @@ export function useFlightControls(host: RefObject<HTMLElement | null>): boolean 
   useEffect(() => {
     const element = host.current;
     if (!element) return;
-    const { inputs } = observerController;
     element.tabIndex = 0;
     const end = new AbortController();
     const on = <K extends keyof HTMLElementEventMap>(type: K, listen: (event: HTMLElementEventMap[K]) => void) =>
@@ -35,17 +34,19 @@ export function useFlightControls(host: RefObject<HTMLElement | null>): boolean 
     });
     on('pointerdown', (event) => {
       if (event.button === 0) element.setPointerCapture(event.pointerId);
-      if (event.pointerType === 'touch') inputs.touch.down(event.pointerId, event.offsetX, event.offsetY);
     });
-    for (const type of ['pointerup', 'pointercancel'] as const) on(type, ({ pointerId }) => inputs.touch.up(pointerId));
-    on('pointerleave', () => setPointer(undefined));
+    // What a finger points at stays when it is lifted.
+    on('pointerleave', ({ pointerType }) => pointerType !== 'touch' && setPointer(undefined));
+    on('contextmenu', (event) => {
+      event.preventDefault();
+      // Fingers ask for it by resting (touch/useTouchGestures.ts), on every system.
+      const { pointerType, offsetX, offsetY } = event as PointerEvent;
+      if (pointerType !== 'touch')
+        editor.update({ pictureMenu: [offsetX / element.clientWidth, offsetY / element.clientHeight] });
+    });
     on('pointermove', (event) => {
       setPointer([event.offsetX / element.clientWidth, event.offsetY / element.clientHeight]);
-      if (event.pointerType === 'touch') {
-        const [dx, dy] = inputs.touch.move(event.pointerId, event.offsetX, event.offsetY);
-        inputs.turn(-dx * RADIANS_PER_PIXEL, -dy * RADIANS_PER_PIXEL);
-        return;
-      }
+      if (event.pointerType === 'touch') return;
       const held = element.hasPointerCapture(event.pointerId) || document.pointerLockElement === element;
       if (held)
         observerController.inputs.turn(-event.movementX * RADIANS_PER_PIXEL, -event.movementY * RADIANS_PER_PIXEL);

@@ -1,10 +1,11 @@
-import { VisuallyHidden } from '@mantine/core';
+import { CloseButton, VisuallyHidden } from '@mantine/core';
 import { type CSSProperties, type ReactNode, type RefObject, useEffect, useRef, useState } from 'react';
 import './inspect.css';
 import { msg } from '../../messages/message.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { type MeasuredLengths, measureLengths } from '../../scene/inspection/measureLengths.ts';
 import type { Scene } from '../../scene/types.ts';
+import { useInputDevice } from '../flight/inputDevice.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
@@ -35,6 +36,7 @@ export default function PictureTools({
 function Inspect({ picture }: PictureToolProps): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
+  const device = useInputDevice();
   const [reading, setReading] = useState<AimReading>();
   const reader = useRef<PointReader>(undefined);
   const aim = useAim(picture, { end: () => editor.update({ tool: undefined }) });
@@ -51,6 +53,9 @@ function Inspect({ picture }: PictureToolProps): ReactNode {
   return (
     <>
       {isCenter(place) && <div className="sl-crosshair" aria-hidden />}
+      {device === 'touch' && !isCenter(place) && (
+        <div className="sl-inspection-aim" style={{ left: percent(place[0]), top: percent(place[1]) }} aria-hidden />
+      )}
       <Card place={place} title={path ?? t(msg`sky`)} rows={inspection ? inspectionRows(inspection, now, t) : []}>
         {inspection?.superluminal && (
           <p className="sl-inspection-mark">{t(msg`Seems faster than light, but is not`)}</p>
@@ -150,16 +155,25 @@ interface CardProps {
 /** Beside a place of the picture, on the side where there is room. */
 function Card({ place: [x, y], title, rows, children }: CardProps): ReactNode {
   const { t } = useTexts();
-  const side: CSSProperties = {
-    ...(x < 0.5
-      ? { left: `calc(${percent(Math.max(0, x))} + 16px)` }
-      : { right: `calc(${percent(1 - Math.min(1, x))} + 16px)` }),
-    ...(y < 0.5
-      ? { top: `calc(${percent(Math.max(0, y))} + 16px)` }
-      : { bottom: `calc(${percent(1 - Math.min(1, y))} + 16px)` }),
-  };
+  const editor = useEditor();
+  const device = useInputDevice();
+  const within = (share: number): string => percent(Math.min(1, Math.max(0, share)));
+  const side = { '--sl-x': within(x), '--sl-y': within(y) } as CSSProperties;
   return (
-    <div className="sl-inspection" style={side} data-inspection>
+    <div
+      className="sl-inspection"
+      style={side}
+      data-across={x < 0.5 ? 'right' : 'left'}
+      data-along={y < 0.5 ? 'below' : 'above'}
+      data-inspection
+    >
+      {device === 'touch' && (
+        <CloseButton
+          className="sl-inspection-close"
+          aria-label={t(msg`Close`)}
+          onClick={() => editor.update({ tool: undefined })}
+        />
+      )}
       <div className="sl-inspection-path">
         <bdi>{title}</bdi>
       </div>

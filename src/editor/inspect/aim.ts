@@ -3,8 +3,8 @@ import { isFlightKey } from '../flight/inputState.ts';
 import { legendStore, type PicturePosition } from '../viewport/legend/legendState.ts';
 
 const CENTER: PicturePosition = [0.5, 0.5];
-/** A press that moves less is a click [px]. */
-const CLICK_RADIUS = 5;
+/** A press that moves less is a click [px]; a tap moves more. */
+const CLICK_RADIUS = { mouse: 5, touch: 10 } as const;
 
 /** Called by keys and clicks on the picture. */
 export interface AimActions {
@@ -52,8 +52,9 @@ export function useAim(picture: RefObject<HTMLElement | null>, actions: AimActio
     });
     on('pointerup', (event) => {
       const from = pressed;
+      const radius = CLICK_RADIUS[event.pointerType === 'touch' ? 'touch' : 'mouse'];
       pressed = undefined;
-      if (!from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > CLICK_RADIUS) return;
+      if (!from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > radius) return;
       const { left, top, width, height } = element.getBoundingClientRect();
       const place: PicturePosition = [(event.clientX - left) / width, (event.clientY - top) / height];
       latest.current.choose?.(document.pointerLockElement ? CENTER : place);

@@ -3,6 +3,7 @@ import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer
 import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
 import { type Message, msg, type Translate } from '../../messages/message.ts';
+import { isCoarse } from '../flight/inputDevice.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
@@ -20,6 +21,8 @@ const LessonPanel = lazy(() => import('../lessons/LessonPanel.tsx'));
 /** Loaded when their tabs are first opened. */
 const ScenePanel = lazy(() => import('../panels/scene/ScenePanel.tsx'));
 const DiagramPanel = lazy(() => import('../diagrams/DiagramPanel.tsx'));
+/** Loaded where the panels are under the picture. */
+const PanelSheet = lazy(() => import('./PanelSheet.tsx'));
 const ClocksPanel = lazy(() => import('../clocks/ClocksPanel.tsx'));
 
 const PANELS = {
@@ -54,6 +57,9 @@ const THEMES = {
 } as const satisfies Record<string, DockviewTheme>;
 
 const SIDE_WIDTH = 308;
+const [MIN_SIDE_WIDTH, MAX_SIDE_WIDTH] = [264, 480];
+/** Under the picture the panels are closed to their tabs at first: they are so high [px]. */
+const SHEET_HEIGHT = isCoarse ? 48 : 32;
 const LESSON_WIDTH = 350;
 /** Below this width [px] the lessons are a tab beside the controls. */
 const MIN_LESSON_BESIDE_WIDTH = 1080;
@@ -73,6 +79,7 @@ export function Dock(): ReactNode {
   useLessonPanel(api, host);
   useInstrument(api);
   useTitles(api);
+  const narrow = useNarrow(api, host);
   const maximized = useEditorState((state) => state.maximized);
   useEffect(() => {
     if (!api) return;
@@ -83,6 +90,11 @@ export function Dock(): ReactNode {
     <div ref={host} className="sl-dock-host">
       {Object.entries(elements).map(([name, element]) =>
         createPortal(<Suspense>{PANELS[name as PanelName].content}</Suspense>, element, name),
+      )}
+      {api && narrow && (
+        <Suspense>
+          <PanelSheet api={api} closedHeight={SHEET_HEIGHT} />
+        </Suspense>
       )}
     </div>
   );
@@ -127,6 +139,26 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
   }, [host, setElements]);
   useEffect(() => api?.updateOptions({ theme: THEMES[scheme] }), [api, scheme]);
   return api;
+}
+
+/** Whether the panels are under the picture, also after the device is turned; a keyboard on the screen does not count. */
+function useNarrow(api: DockviewApi | undefined, host: React.RefObject<HTMLDivElement | null>): boolean {
+  const [narrow, setNarrow] = useState(false);
+  useEffect(() => {
+    const element = host.current;
+    if (!api || !element) return;
+    const observer = new ResizeObserver(() => {
+      if (document.activeElement?.matches('input, textarea')) return;
+      const now = isNarrow(element);
+      // By then dockview has not heard of the new size.
+      api.layout(element.clientWidth, element.clientHeight);
+      placeControls(api, now);
+      setNarrow(now);
+    });
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [api, host]);
+  return narrow;
 }
 
 /** For screen readers; null: nothing is said. */
@@ -252,13 +284,31 @@ function plainTab(): ITabRenderer {
   };
 }
 
+/** Moves the controls, and what is with them, beside the picture or under it, where they are not. */
+function placeControls(api: DockviewApi, narrow: boolean): void {
+  const { group } = api.getPanel('controls')!;
+  const { group: picture } = api.getPanel('picture')!;
+  const isBelow = group.element.getBoundingClientRect().top >= picture.element.getBoundingClientRect().bottom - 1;
+  if (isBelow === narrow) return;
+  group.api.moveTo({ group: picture, position: narrow ? 'bottom' : 'right' });
+  const moved = api.getPanel('controls')!.group.api;
+  moved.setConstraints(
+    narrow
+      ? { minimumWidth: 0, maximumWidth: Number.POSITIVE_INFINITY, minimumHeight: SHEET_HEIGHT }
+      : { minimumWidth: MIN_SIDE_WIDTH, maximumWidth: MAX_SIDE_WIDTH, minimumHeight: SHEET_HEIGHT },
+  );
+  // What was seen stays so.
+  moved.setSize(narrow ? { height: Math.round(api.height / 2) } : { width: SIDE_WIDTH });
+}
+
 function layOut(api: DockviewApi, narrow: boolean): void {
   const picture = api.addPanel({ id: 'picture', component: 'picture', renderer: 'always' });
   const direction = narrow ? 'below' : 'right';
-  const size = narrow ? { initialHeight: 260 } : { initialWidth: SIDE_WIDTH };
+  const size = narrow
+    ? { initialHeight: SHEET_HEIGHT, minimumHeight: SHEET_HEIGHT }
+    : { initialWidth: SIDE_WIDTH, minimumWidth: MIN_SIDE_WIDTH, maximumWidth: MAX_SIDE_WIDTH };
   const controls = api.addPanel({ id: 'controls', component: 'controls', position: { direction }, ...size });
   for (const id of BEHIND) api.addPanel({ id, component: id, position: { referencePanel: controls }, inactive: true });
-  if (!narrow) controls.group.api.setConstraints({ minimumWidth: 264, maximumWidth: 480 });
   picture.group.header.hidden = true;
   picture.group.locked = 'no-drop-target';
 }

@@ -21,15 +21,19 @@ import {
   IconSitemap,
   IconSun,
 } from '@tabler/icons-react';
-import type { ReactNode } from 'react';
-import { LANGUAGE_TAGS, LANGUAGES, type LanguageTag } from '../../messages/languages.ts';
+import { lazy, type ReactNode, Suspense } from 'react';
+import { LANGUAGE_TAGS, LANGUAGES } from '../../messages/languages.ts';
 import { msg } from '../../messages/message.ts';
-import { setLanguage, useTexts } from '../language/languageStore.ts';
+import { isCoarse } from '../flight/inputDevice.ts';
+import { useTexts } from '../language/languageStore.ts';
+import { useChangeLanguage } from '../language/useChangeLanguage.ts';
 import { ProjectMenu, ProjectName } from '../projects/ProjectMenu.tsx';
 import { useEditor, useEditorState } from '../state/context.tsx';
-import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Logo } from './Logo.tsx';
 import { useSavePicture } from './useSavePicture.ts';
+
+/** Where fingers need room for fewer buttons: the rest in a menu. */
+const HeaderMenu = lazy(() => import('./HeaderMenu.tsx'));
 
 export function Header(): ReactNode {
   const { t } = useTexts();
@@ -63,6 +67,11 @@ export function Header(): ReactNode {
       <IconButton label={t(msg`Keys and help`)} keys="?" onClick={() => editor.update({ dialog: 'help' })}>
         <IconKeyboard size={17} />
       </IconButton>
+      {isCoarse && (
+        <Suspense>
+          <HeaderMenu />
+        </Suspense>
+      )}
     </Group>
   );
 }
@@ -136,16 +145,7 @@ function GraphButton(): ReactNode {
 
 function LanguageMenu(): ReactNode {
   const { t, language } = useTexts();
-  const editor = useEditor();
-  const change = (tag: LanguageTag) =>
-    setLanguage(tag).then(
-      () => savePreferences({ ...loadPreferences(), language: tag }),
-      () =>
-        editor.notify({
-          kind: 'error',
-          text: msg`${LANGUAGES[tag].name} could not be loaded. Is the server still running?`,
-        }),
-    );
+  const change = useChangeLanguage();
   return (
     <Menu position="bottom-end">
       <Tooltip label={t(msg`Language`)} openDelay={400}>
@@ -162,7 +162,7 @@ function LanguageMenu(): ReactNode {
             lang={LANGUAGES[tag].locale}
             aria-current={tag === language}
             leftSection={<IconCheck size={15} visibility={tag === language ? undefined : 'hidden'} />}
-            onClick={() => void change(tag)}
+            onClick={() => change(tag)}
           >
             {LANGUAGES[tag].name}
           </Menu.Item>

@@ -14,11 +14,14 @@ type KeyGroup = readonly [title: Message, rows: readonly KeyRow[]];
 const TOUCH: KeyGroup = [
   msg`Touch`,
   [
-    [[msg`One finger`], msg`Look around`],
-    [[msg`Two fingers`], msg`Accelerate: up for forwards; lift one to brake`],
-    [[msg`Three fingers`], msg`Rise and sink`],
+    [[msg`Thrust pad`], msg`Accelerate; beyond its rim at full speed`],
+    [[msg`Slider`], msg`Keep a speed, or a thrust, without a finger`],
+    [[msg`Drag`], msg`Look around`],
+    [[msg`Tap`], msg`Inspect what is seen`],
+    [[msg`Rest a finger`], msg`Menu of what is there`],
+    [[msg`Spread two fingers`], msg`Zoom: the field of view`],
     [[msg`Twist two fingers`], msg`Roll, as the way of flying allows`],
-    [[msg`The bar below`], msg`Lock and cruise`],
+    [[msg`The bar below`], msg`Lock, cruise, way of flying`],
   ],
 ];
 
@@ -31,6 +34,7 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
         [['Q', 'E'], msg`Down, up`],
         [['⇧ Shift'], msg`Full speed`],
         [[msg`Drag`], msg`Look around (also the arrow keys)`],
+        [[msg`Right click`], msg`Menu of what is there (also the menu key)`],
         [[msg`Double-click`], msg`Capture the mouse; Esc releases it`],
         [['Tab'], msg`Next lock: free, look, fly`],
         [['C'], msg`Cruise: keep the velocity`],

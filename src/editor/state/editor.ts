@@ -29,8 +29,10 @@ import { shaderTextFaults } from '../../nodes/project/shaderTextFaults.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { Backend, ShadingChoice } from '../../render/settings.ts';
+import type { PicturePosition } from '../viewport/legend/legendState.ts';
 import { coalesce } from './coalesce.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
+import type { FrameRate } from './preferences.ts';
 import { type SimulationRun, simulationRuns } from './simulationRuns.ts';
 
 /** Work in progress. */
@@ -104,11 +106,15 @@ export interface EditorState {
   readonly outsideView?: boolean;
   /** Whether the rim of the picture darkens while it flows fast. */
   readonly vignette?: boolean;
+  /** Pictures drawn per second at most; absent: as many as the screen shows. */
+  readonly frameRate?: FrameRate | undefined;
   readonly playing: boolean;
   readonly loop: boolean;
   readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';
   /** The tool that is used over the picture. */
   readonly tool?: 'inspect' | 'measure';
+  /** Where a menu is open for what the picture shows there. */
+  readonly pictureMenu?: PicturePosition | undefined;
   /** Whether only the picture is shown, without panels. */
   readonly maximized: boolean;
   /** Whether the node graph is shown. */

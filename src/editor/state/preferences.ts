@@ -11,10 +11,16 @@ export interface Preferences {
   readonly nodePictures: boolean;
   /** Whether the picture shows clocks. */
   readonly clockLabels: boolean;
+  /** Pictures drawn per second at most; absent: as many as the screen shows. */
+  readonly frameRate?: FrameRate | undefined;
   /** How the user flies, and in what comfort, as the code of the flight deck reads it; absent: as at first. */
   readonly flight?: unknown;
   readonly comfort?: unknown;
 }
+
+/** Choices of how many pictures are drawn per second at most. */
+export const FRAME_RATES = [60, 30] as const;
+export type FrameRate = (typeof FRAME_RATES)[number];
 
 const PREFERENCES_KEY = 'slowlight.preferences';
 
@@ -28,6 +34,7 @@ export function loadPreferences(): Preferences {
     legend: kept.legend !== false,
     nodePictures: kept.nodePictures !== false,
     clockLabels: kept.clockLabels === true,
+    frameRate: FRAME_RATES.find((rate) => rate === kept.frameRate),
     flight: kept.flight,
     comfort: kept.comfort,
   };

@@ -7,7 +7,6 @@ import { useFlightControls } from '../flight/useFlightControls.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useOpenedTexts } from '../language/useSceneTexts.ts';
 import { sceneName } from '../loading/localFiles.ts';
-import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useLegend, useTelemetry } from '../state/context.tsx';
 import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
@@ -20,7 +19,10 @@ const OverlayLegend = lazy(() => import('./legend/OverlayLegend.tsx'));
 const Vignette = lazy(() => import('../flight/comfort/Vignette.tsx'));
 const HeldCard = lazy(() => import('../flight/hold/HeldCard.tsx'));
 const OutsideView = lazy(() => import('../outside/OutsideView.tsx'));
+const OutsideCard = lazy(() => import('./OutsideCard.tsx'));
 const PictureTools = lazy(() => import('../inspect/PictureTools.tsx'));
+const PictureMenu = lazy(() => import('../inspect/PictureMenu.tsx'));
+const TouchControls = lazy(() => import('../flight/touch/TouchControls.tsx'));
 
 /** The picture and its overlays. */
 export function Viewport(): ReactNode {
@@ -32,6 +34,7 @@ export function Viewport(): ReactNode {
   useLastInput();
   const device = useInputDevice();
   const tool = useEditorState((state) => state.tool);
+  const menu = useEditorState((state) => state.pictureMenu);
   const vignette = useEditorState((state) => state.vignette);
   const held = useEditorState((state) => state.held);
   const outsideView = useEditorState((state) => state.outsideView);
@@ -46,7 +49,7 @@ export function Viewport(): ReactNode {
         role="application"
         aria-label={t(
           device === 'touch'
-            ? msg`Picture. Drag with one finger to look around, with two to fly, with three to rise and sink.`
+            ? msg`Picture. Drag to look around, tap to inspect, rest for a menu; spread two fingers to zoom.`
             : msg`Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.`,
         )}
         data-viewport
@@ -87,8 +90,18 @@ export function Viewport(): ReactNode {
         </Suspense>
       )}
       <Caption />
+      {device === 'touch' && (
+        <Suspense>
+          <TouchControls picture={host} />
+        </Suspense>
+      )}
+      {menu && (
+        <Suspense>
+          <PictureMenu at={menu} />
+        </Suspense>
+      )}
       <CompilingHint />
-      <OutsideCard picture={host} />
+      <Outside picture={host} />
       <ActivityOverlay picture={host} />
     </div>
   );
@@ -102,7 +115,7 @@ function StartHint(): ReactNode {
     <Text size="xs" className="sl-hint">
       {t(
         device === 'touch'
-          ? msg`Look around with one finger, fly with two`
+          ? msg`Drag to look around, fly with the pad`
           : msg`Fly with W A S D, drag to look, ? for all keys`,
       )}
     </Text>
@@ -168,37 +181,16 @@ function LookFor({ text }: { readonly text: string }): ReactNode {
   );
 }
 
-/** Shown to one who has left the scene: the ways back. The focus stays where it is while it appears, and goes to the picture from its buttons. */
-function OutsideCard({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
-  const { t } = useTexts();
-  const { observerController } = useServices();
+/** Where one is told to have left the scene. */
+function Outside({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
   const outside = useTelemetry((live) => live.outside);
-  const device = useInputDevice();
-  const ways = [
-    [msg`Turn back`, 'B', () => observerController.turnBack()],
-    [msg`Back to the start`, 'R', () => observerController.restart()],
-  ] as const;
   // The region is there before its text, else screen readers do not read it.
   return (
     <div role="status">
       {outside && (
-        <Group className="sl-top-card" gap="xs" data-outside>
-          <Text size="xs">{t(msg`You have left the scene.`)}</Text>
-          {ways.map(([title, key, go]) => (
-            <Button
-              key={key}
-              size="compact-xs"
-              variant="default"
-              aria-keyshortcuts={key}
-              onClick={() => {
-                go();
-                picture.current?.focus();
-              }}
-            >
-              {device === 'touch' ? t(title) : `${t(title)} (${key})`}
-            </Button>
-          ))}
-        </Group>
+        <Suspense>
+          <OutsideCard picture={picture} />
+        </Suspense>
       )}
     </div>
   );

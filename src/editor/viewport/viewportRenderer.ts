@@ -19,6 +19,7 @@ import { updateTelemetry } from '../state/telemetry.ts';
 import { AutoExposure } from './autoExposure.ts';
 import { isSoftwareRenderer } from './chooseBackend.ts';
 import { DynamicResolution } from './dynamicResolution.ts';
+import { FrameCap } from './frameCap.ts';
 import { setLegendColors } from './legend/legendState.ts';
 import type { ValuePicker } from './legend/valuePicker.ts';
 import { sampleWorker, tessellationWorker } from './rendererWorkers.ts';
@@ -101,6 +102,9 @@ export class ViewportRenderer {
   private stale = false;
   private frame = 0;
   private lastTick: number | undefined;
+  private readonly frameCap = new FrameCap();
+  /** From the last tick to the next frame of the screen [ms]; undefined until that comes. */
+  private frameTime: number | undefined;
   /** Whether samples of this scene can no longer be read. */
   private samplesLost = false;
   /** Whether shaders of the requested view are being compiled. */
@@ -202,14 +206,20 @@ export class ViewportRenderer {
 
   private tick(now: number): void {
     this.frame = requestAnimationFrame((next) => this.tick(next));
+    const { frameRate } = this.editor.store.getState();
+    // How long the last frame took does not depend on how many are left out.
+    this.frameTime ??= now - (this.lastTick ?? now);
+    if (frameRate && !this.frameCap.passes(now, frameRate)) return;
     const interval = now - (this.lastTick ?? now);
+    const { frameTime } = this;
+    this.frameTime = undefined;
     this.lastTick = now;
     this.followPicture();
     const step = Math.min(MAX_FLIGHT_STEP, interval / 1000);
     if (!this.isWaiting) this.observerController.advance(step);
     // If the device was lost, the next generation measures.
     this.autoExposure.advance(step, now)?.catch(() => {});
-    this.resolution.recordFrame(this.draw(false), now, interval);
+    this.resolution.recordFrame(this.draw(false), now, frameTime);
     if (this.resolution.scale !== this.scale) {
       this.scale = this.resolution.scale;
       this.resize();

@@ -17,8 +17,10 @@ import { useEditor, useEditorState } from '../../state/context.tsx';
 import { ComfortControls } from '../comfort/ComfortControls.tsx';
 import { toggleHold } from '../hold/hold.ts';
 import { DeckSelect } from './DeckSelect.tsx';
+import { DeviceLookSwitch } from './DeviceLookSwitch.tsx';
 import { CONTACT_TEXTS, type FlightDeck as Deck, type DeckState } from './deck.ts';
 import { FlightRecorderControls } from './FlightRecorderControls.tsx';
+import { FrameRateSelect } from './FrameRateSelect.tsx';
 import { MAX_THRUST, MODE_NAMES } from './flightSettings.ts';
 import { openDeck } from './openDeck.ts';
 import { followable, placeBefore } from './targets.ts';
@@ -95,7 +97,9 @@ export default function FlightDeck(): ReactNode {
             : editor.edit(removeCaptureCommand(document), msg`draw at each velocity`)
         }
       />
+      <DeviceLookSwitch />
       <ComfortControls />
+      <FrameRateSelect />
       <WallControls deck={deck} state={state} />
       <FlightRecorderControls deck={deck} state={state} />
     </Stack>

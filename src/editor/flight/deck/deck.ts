@@ -57,6 +57,7 @@ export class FlightDeck {
     replaying: false,
   }));
   private readonly editor: Editor;
+  private readonly letGo: () => void;
   private readonly walls = new Walls((error) => {
     this.set({ collision: undefined, ground: false });
     this.editor.notify({ kind: 'error', text: msg`One flies through walls and ground again: ${messageOf(error)}` });
@@ -68,8 +69,10 @@ export class FlightDeck {
   /** Whether the replay is faster than what is drawn. */
   private isFaster = false;
 
-  constructor(editor: Editor) {
+  /** `letGo`: of what is held without a finger, which would fly on another way, or end a replay. */
+  constructor(editor: Editor, letGo: () => void) {
     this.editor = editor;
+    this.letGo = letGo;
     this.tellMode();
   }
 
@@ -160,6 +163,7 @@ export class FlightDeck {
   }
 
   choose(mode: FlightModeName): void {
+    this.letGo();
     this.set({ mode });
     this.tellMode();
   }
@@ -213,10 +217,12 @@ export class FlightDeck {
 
   /** Shows a time of the recording [s], and holds it. */
   show(time: number): void {
+    this.letGo();
     this.store.setState({ shown: time, replaying: false });
   }
 
   toggleReplay(): void {
+    this.letGo();
     const { shown, replaying, duration } = this.store.getState();
     this.store.setState({ shown: shown === undefined || shown >= duration ? 0 : shown, replaying: !replaying });
   }

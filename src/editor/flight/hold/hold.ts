@@ -10,6 +10,7 @@ export function toggleHold(editor: Editor, observerController: ObserverControlle
     observerController.held.end();
     return;
   }
+  observerController.inputs.screen?.letGo();
   const { playing } = editor.store.getState();
   let camera: HeldCamera = { vantage: ZERO, orientation: observerController.observer.orientation };
   observerController.held = {
