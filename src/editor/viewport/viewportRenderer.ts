@@ -96,6 +96,9 @@ export class ViewportRenderer {
   private nextUpload = 0;
   /** The displayed frame; undefined while nothing of this scene is displayed. */
   private displayed: DisplayedFrame | undefined;
+  /** Whether that has all that was asked for. */
+  private isWhole = false;
+  private isOver = false;
   /** The requested view at the last tick. */
   private requestedView: DisplayedView | undefined;
   /** Whether the same view must be drawn again. */
@@ -159,6 +162,7 @@ export class ViewportRenderer {
   }
 
   stop(): void {
+    this.isOver = true;
     cancelAnimationFrame(this.frame);
     this.observer.disconnect();
     this.films?.close();
@@ -167,6 +171,9 @@ export class ViewportRenderer {
 
   /** The current picture at full resolution; undefined if there is none. */
   async capture(): Promise<CapturedPicture | undefined> {
+    // The first picture has less.
+    while (this.displayed && !this.isWhole && this.resolution.isStill && !this.isOver)
+      await new Promise((frame) => requestAnimationFrame(frame));
     if (this.scale !== 1 || !this.displayed) {
       this.scale = 1;
       this.resize();
@@ -238,7 +245,7 @@ export class ViewportRenderer {
    * complete and exposure has settled.
    */
   private accumulate(): void {
-    if (!this.displayed || this.uploading || this.compiling || this.isWaiting) return;
+    if (!this.displayed || !this.isWhole || this.uploading || this.compiling || this.isWaiting) return;
     const goesOn = this.maxSamplesPerSide !== undefined && this.renderer.accumulate?.(this.maxSamplesPerSide) === true;
     const isSettled = this.autoExposure.isSettled && (this.films?.isSettled ?? true);
     this.canvas.toggleAttribute('data-finest', !goesOn && isSettled);
@@ -355,6 +362,7 @@ export class ViewportRenderer {
     this.stale = false;
     this.canvas.removeAttribute('data-finest');
     const { settings, sampling, shading } = drawing;
+    this.isWhole = settings.occlusionRadius === wanted.occlusionRadius;
     this.renderer.shading = shading;
     this.renderer.render([viewPoint], settings, sampling);
     if (this.renderer.info.waiting) return false;
@@ -372,7 +380,7 @@ export class ViewportRenderer {
       views: [viewPoint],
       settings,
       wanted,
-      detail: width * height + (settings.occlusionRadius === wanted.occlusionRadius ? 0.5 : 0),
+      detail: width * height + (this.isWhole ? 0.5 : 0),
       size: { width: clientWidth, height: Math.max(1, clientHeight) },
       measureLight: (quantities: MeteredQuantities) => this.renderer.measureLight(quantities),
     } as const;
