@@ -4,7 +4,7 @@ import { useTexts } from './language/languageStore.ts';
 import { projectName } from './projects/projectNames.ts';
 import { useSaveProject } from './projects/useSaveProject.ts';
 import { useSessionRecovery } from './projects/useSessionRecovery.ts';
-import { Dock } from './shell/Dock.tsx';
+import { Dock } from './shell/dock/Dock.tsx';
 import { DropZone } from './shell/DropZone.tsx';
 import { Header } from './shell/Header.tsx';
 import { Notices } from './shell/Notices.tsx';

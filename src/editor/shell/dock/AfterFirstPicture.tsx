@@ -1,6 +1,6 @@
 import { type ReactNode, Suspense, useState } from 'react';
-import { useEditorState, useTelemetry } from '../state/context.tsx';
-import type { EditorState } from '../state/editor.ts';
+import { useEditorState, useTelemetry } from '../../state/context.tsx';
+import type { EditorState } from '../../state/editor.ts';
 
 /** What waits for the first picture, which comes sooner without it; but not for one that takes long. */
 export function AfterFirstPicture({ children }: { readonly children: ReactNode }): ReactNode {

@@ -2,28 +2,28 @@ import { useComputedColorScheme } from '@mantine/core';
 import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer } from 'dockview';
 import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
-import { type Message, msg, type Translate } from '../../messages/message.ts';
-import { isCoarse } from '../flight/inputDevice.ts';
-import { useTexts } from '../language/languageStore.ts';
-import { useEditor, useEditorState } from '../state/context.tsx';
-import type { EditorState } from '../state/editor.ts';
-import { loadPreferences } from '../state/preferences.ts';
-import { Viewport } from '../viewport/Viewport.tsx';
+import { type Message, msg, type Translate } from '../../../messages/message.ts';
+import { isCoarse } from '../../flight/inputDevice.ts';
+import { useTexts } from '../../language/languageStore.ts';
+import { useEditor, useEditorState } from '../../state/context.tsx';
+import type { EditorState } from '../../state/editor.ts';
+import { loadPreferences } from '../../state/preferences.ts';
+import { Viewport } from '../../viewport/Viewport.tsx';
 import { AfterFirstPicture } from './AfterFirstPicture.tsx';
 
-/** Loaded on demand, so that opening the page does not wait for it. */
-const ControlsPanel = lazy(() => import('../panels/ControlsPanel.tsx'));
-const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
-const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
+/** Loaded on demand, so that opening the page does not wait for them. */
+const ControlsPanel = lazy(() => import('../../panels/ControlsPanel.tsx'));
+const GraphPanel = lazy(() => import('../../graph/GraphPanel.tsx'));
+const Inspector = lazy(() => import('../../graph/inspector/Inspector.tsx'));
 /** Loaded when the project has simulations. */
-const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
-const LessonPanel = lazy(() => import('../lessons/LessonPanel.tsx'));
+const EnergyPanel = lazy(() => import('../../energy/EnergyPanel.tsx'));
+const LessonPanel = lazy(() => import('../../lessons/LessonPanel.tsx'));
 /** Loaded when their tabs are first opened. */
-const ScenePanel = lazy(() => import('../panels/scene/ScenePanel.tsx'));
-const DiagramPanel = lazy(() => import('../diagrams/DiagramPanel.tsx'));
+const ScenePanel = lazy(() => import('../../panels/scene/ScenePanel.tsx'));
+const DiagramPanel = lazy(() => import('../../diagrams/DiagramPanel.tsx'));
 /** Loaded where the panels are under the picture. */
 const PanelSheet = lazy(() => import('./PanelSheet.tsx'));
-const ClocksPanel = lazy(() => import('../clocks/ClocksPanel.tsx'));
+const ClocksPanel = lazy(() => import('../../clocks/ClocksPanel.tsx'));
 
 const PANELS = {
   picture: { title: msg`Picture`, content: <Viewport /> },

@@ -3,8 +3,8 @@ import { IconChevronDown, IconChevronUp } from '@tabler/icons-react';
 import type { DockviewApi } from 'dockview';
 import { type ReactNode, useEffect, useMemo, useState } from 'react';
 import { createPortal } from 'react-dom';
-import { msg } from '../../messages/message.ts';
-import { useTexts } from '../language/languageStore.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 
 interface PanelSheetProps {
   readonly api: DockviewApi;
