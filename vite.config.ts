@@ -66,12 +66,7 @@ export default defineConfig({
     plugins: () => [withoutGpu()],
     // Few scenes have pictures of radiance; by itself the bundler puts their readers beside small modules that all scenes need.
     rolldownOptions: {
-      output: {
-        codeSplitting: {
-          includeDependenciesRecursively: false,
-          groups: [{ name: 'radiance', test: /formats\/image\/(exr|readExr|radiance\/)/ }],
-        },
-      },
+      output: { codeSplitting: { groups: [{ name: 'radiance', test: /formats\/image\/(exr|readExr|radiance\/)/ }] } },
     },
   },
   build: {
