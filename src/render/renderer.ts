@@ -206,16 +206,21 @@ export class SceneRenderer implements RasterRenderer {
 
   /** As `precompile`. */
   private compileMissing(request: DrawRequest): Promise<void> | undefined {
-    if (this.compiled.has(this.shaderKey(request))) return undefined;
-    this.precompiling ??= this.compile(request).finally(() => {
+    const pictures = this.buffersOf(request.views, request.settings);
+    const shaders = this.shaderKey(request, pictures);
+    if (this.compiled.has(shaders)) return undefined;
+    this.precompiling ??= this.compile(request, pictures, shaders).finally(() => {
       this.precompiling = undefined;
     });
     return this.precompiling;
   }
 
-  private async compile(request: DrawRequest): Promise<void> {
-    const { views, settings, mode, shading } = request;
-    const pictures = this.buffersOf(views, settings);
+  /** `shaders`: their key. */
+  private async compile(
+    { views, mode, shading }: DrawRequest,
+    pictures: readonly ViewBuffers[],
+    shaders: string,
+  ): Promise<void> {
     const rects = this.viewportsOf(views);
     const prepared = pictures.every((buffers, i) => this.viewRenderer(i).prepare(buffers, rects[i]));
     if (pictures.length === 0 || !prepared) return;
@@ -228,7 +233,6 @@ export class SceneRenderer implements RasterRenderer {
         this.viewRenderer(i).traversePasses(buffers, mode, target, shadingOf(shading, buffers, mode));
       });
     };
-    const shaders = this.shaderKey(request);
     // Also after a failure: a shader that does not compile is reported when it is used.
     await precompile(this.gpu.renderer, draw, this.disposal.signal).finally(() => this.compiled.add(shaders));
   }
@@ -241,8 +245,9 @@ export class SceneRenderer implements RasterRenderer {
     await this.compileMissing({ ...last, shading: 'deferred' });
   }
 
-  private shaderKey({ views, settings, mode, shading }: DrawRequest): string {
-    const shadings = this.buffersOf(views, settings).map((buffers) => shadingOf(shading, buffers, mode));
+  /** `pictures`: the G-buffers of each view. */
+  private shaderKey({ views, settings, mode, shading }: DrawRequest, pictures: readonly ViewBuffers[]): string {
+    const shadings = pictures.map((buffers) => shadingOf(shading, buffers, mode));
     return shaderKey(views, settings, mode, shadings, this.uploads.of(settings));
   }
 
@@ -279,7 +284,7 @@ export class SceneRenderer implements RasterRenderer {
     if (!this.precompiling) for (const unused of this.viewRenderers.splice(views.length)) unused.dispose();
     if (this.toCanvas) this.presentOnCanvas();
     this.lastDraw = { objectsDrawn, milliseconds: performance.now() - start };
-    this.compiled.add(this.shaderKey(drawn));
+    this.compiled.add(this.shaderKey(drawn, pictures));
     if (!this.precompiling) this.uploads.trim(pictures[0].length);
     // Trimming may have cleared the views' last buffers, but this picture's uploads are still there.
     pictures.forEach((buffers, i) => {

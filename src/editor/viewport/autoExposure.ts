@@ -86,7 +86,7 @@ export class AutoExposure {
   /** Call with every drawn picture. `isBetter`: the same view as before, drawn again with more of the scene. */
   observe(drawn: MeteredPicture, isBetter = false): void {
     const { metering, falseColor, frameGraph } = drawn.picture;
-    if (metering === 'manual' && falseColor === 'none' && !frameGraph) return;
+    if (metering === 'manual' && !showsFalseColors(drawn.picture)) return;
     // Luminance does not depend on display settings, except through frame graphs.
     const { exposure: _, tone: __, falseColors: ___, frameGraph: ____, ...lit } = drawn.wanted;
     const { width, height } = drawn.size;

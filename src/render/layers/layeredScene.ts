@@ -2,18 +2,15 @@ import { Discard, Fn, float, max, mix, vec2, vec4 } from 'three/tsl';
 import { Mesh, NoBlending, NodeMaterial, type Texture, Scene as ThreeScene } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
 import type { Material, Scene } from '../../scene/types.ts';
-import type { ColorPipeline } from '../color/radiance.ts';
 import { type DrawCall, drawOver, materialSide } from '../gbuffer/drawCall.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
 import type { SceneTextures } from '../gbuffer/sceneTextures.ts';
 import { frontNormal, readSurface, type SurfaceSources, uvDirectionsHere } from '../gbuffer/surface.ts';
-import { type SpacetimeProjection, vertexStage } from '../geometry/vertexStage.ts';
+import { vertexStage } from '../geometry/vertexStage.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
 import { texelHere } from '../gpu/fullScreenPass.ts';
-import { type LightRange, limitLight } from '../gpu/lightRange.ts';
-import type { Environment } from '../lights/environment.ts';
-import { depthHere } from '../shading/passes.ts';
-import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
+import { limitLight } from '../gpu/lightRange.ts';
+import { depthHere, type ForwardLighting } from '../shading/passes.ts';
 import type { FuzzNodes } from './fuzz.ts';
 import { type Glass, lightBehind } from './glass.ts';
 import type { GroovesHere } from './grooves.ts';
@@ -21,15 +18,10 @@ import { type GlassView, type SurfaceLayers, shadeLayered } from './layeredShadi
 import { type LayerReader, MaterialLayerTable } from './materialLayerTable.ts';
 
 /** What layered materials are drawn with. */
-export interface LayeredPass {
+export interface LayeredPass extends ForwardLighting {
   /** Equal for passes that share their shaders. */
   readonly key: string;
-  readonly projection: SpacetimeProjection;
   readonly buffer: GBuffer;
-  readonly environment: Environment;
-  readonly pipeline: ColorPipeline;
-  readonly range: LightRange;
-  readonly shadows?: LightVisibility;
   readonly openness?: Texture;
 }
 

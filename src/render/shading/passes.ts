@@ -98,7 +98,6 @@ export interface ForwardLighting {
 /** Forward shading of opaque surfaces. `reversed`: whether the depth buffer is reversed. */
 export function opaqueMaterial(drawCall: DrawCall, lighting: ForwardLighting, reversed: boolean): NodeMaterial {
   const material = forwardMaterial(drawCall, lighting);
-  material.name = `opaque ${drawCall.batch.kind}`;
   if (!reversed) material.depthNode = logarithmicDepth(vCameraPosition);
   material.side = materialSide(drawCall.batch);
   material.blending = NoBlending;
@@ -126,15 +125,16 @@ function forwardMaterial(
   buffer?: GBuffer,
 ): NodeMaterial {
   const { uniforms } = drawCall.surface;
+  const { kind, transparent } = drawCall.batch;
   const material = new NodeMaterial();
-  material.name = `transparent ${drawCall.batch.kind}`;
+  material.name = `${transparent ? 'transparent' : 'opaque'} ${kind}`;
   material.vertexNode = vertexStage(drawCall.vertex, projection);
   material.fragmentNode = Fn(() => {
     const surface = readSurface(drawCall.surface);
     const velocity = isStatic(drawCall.batch) ? undefined : surface.velocity;
     if (buffer) Discard(surface.distance.greaterThan(depthHere(buffer)));
     const light = shade({ ...surface, velocity }, environment, uniforms, pipeline, shadows);
-    return vec4(limitLight(light, range.max), drawCall.batch.transparent ? surface.color.w : 1);
+    return vec4(limitLight(light, range.max), transparent ? surface.color.w : 1);
   })();
   return material;
 }
