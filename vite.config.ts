@@ -3,6 +3,7 @@ import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import react from '@vitejs/plugin-react';
 import { defineConfig, type Plugin } from 'vite';
+import { VitePWA } from 'vite-plugin-pwa';
 import type { Example } from './src/editor/loading/examples.ts';
 import { FONTS, fontFile } from './src/formats/font/glyphs.ts';
 import { readLayer } from './src/formats/usd/readLayer.ts';
@@ -50,6 +51,8 @@ const GALLERY = [
   'truth',
   'workshop',
 ];
+/** Icons of the installed program: `npm run pictures -- icons`. */
+const ICONS = ['icon-192.png', 'icon-512.png', 'icon-maskable-512.png'];
 const SCENES = ['.usda', '.usdc'];
 const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
 const SHIPPED = [...SCENES, '.png', '.webp', '.exr', '.mp4'];
@@ -60,7 +63,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   define: { THUMBNAILS: JSON.stringify(namesOfThumbnails()) },
-  plugins: [react(), examples(), fonts(), ownDockTheme()],
+  plugins: [react(), examples(), fonts(), icons(), ownDockTheme(), ...offline()],
   worker: {
     format: 'es',
     plugins: () => [withoutGpu()],
@@ -122,6 +125,59 @@ function fonts(): Plugin {
       }
     },
   };
+}
+
+/** The icons of the installed program. */
+function icons(): Plugin {
+  return {
+    name: 'slowlight-icons',
+    generateBundle() {
+      for (const file of ICONS)
+        this.emitFile({
+          type: 'asset',
+          fileName: `icons/${file}`,
+          source: readFileSync(join(root, 'src/app/icons', file)),
+        });
+    },
+  };
+}
+
+/** The page without a network, and as an installed program: docs/adr/0056-offline.md. */
+function offline(): Plugin[] {
+  return VitePWA({
+    strategies: 'injectManifest',
+    srcDir: '.',
+    filename: 'serviceWorker.ts',
+    injectRegister: false,
+    injectManifest: {
+      globPatterns: ['**/*'],
+      // What the command line opens, and typefaces of solid letters, which are read from the network when they are met.
+      globIgnores: ['headless.html', 'assets/headless-*', 'fonts/**', 'serviceWorker.js'],
+      dontCacheBustURLsMatching: /^assets\//,
+      maximumFileSizeToCacheInBytes: 2 ** 23,
+      rollupFormat: 'iife',
+      // The build of the worker says no more than that of the page.
+      buildPlugins: { vite: [{ name: 'slowlight-quiet-worker', config: () => ({ logLevel: 'error' }) }] },
+    },
+    manifest: {
+      name: 'Slowlight',
+      short_name: 'Slowlight',
+      description: 'See special relativity as it truly looks.',
+      lang: 'en',
+      categories: ['education', 'graphics'],
+      start_url: './',
+      scope: './',
+      display: 'standalone',
+      background_color: '#1b2029',
+      theme_color: '#1b2029',
+      icons: ICONS.map((file) => ({
+        src: `icons/${file}`,
+        sizes: file.replace(/\D+(\d+).*/, '$1x$1'),
+        type: 'image/png',
+        purpose: file.includes('maskable') ? 'maskable' : 'any',
+      })),
+    },
+  });
 }
 
 /** Themes of the dock, and parts that this page's dock does not have: floating groups, pane views, pinned and grouped tabs, menus of tabs. */

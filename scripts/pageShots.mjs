@@ -1,9 +1,41 @@
-// Screenshots of the page for the docs: `npm run pictures -- graph`.
+// Screenshots of the page for the docs, and its icons: `npm run pictures -- graph icons`.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from './setup.mjs';
 import { toWebp } from './webp.mjs';
+
+/** Icons of the installed program: sizes [px], and the part of each that the drawing fills; masks cut circles out of theirs. */
+const ICONS = {
+  'icon-192': [192, 1],
+  'icon-512': [512, 1],
+  'icon-maskable-512': [512, 0.6],
+  'apple-touch-icon': [180, 0.8],
+};
+
+/** Draws src/app/icon.svg as the PNGs that systems ask for. */
+export async function drawIcons() {
+  const [{ chromium }, { findChromium }] = await Promise.all([
+    import('playwright-core'),
+    import(join(root, 'dist/lib/cli/gpu/gpuDrivers.js')),
+  ]);
+  const drawing = readFileSync(join(root, 'src/app/icon.svg'), 'utf8');
+  const browser = await chromium.launch({ executablePath: findChromium() });
+  try {
+    for (const [name, [size, part]] of Object.entries(ICONS)) {
+      const page = await browser.newPage({ viewport: { width: size, height: size } });
+      const ground = part < 1 ? '#1b2029' : 'transparent';
+      await page.setContent(
+        `<body style="margin:0;height:100vh;display:grid;place-items:center;background:${ground}">${drawing.replace('<svg', `<svg width="${size * part}"`)}</body>`,
+      );
+      await page.screenshot({ path: join(root, `src/app/icons/${name}.png`), omitBackground: true });
+      await page.close();
+    }
+  } finally {
+    await browser.close();
+  }
+}
 
 /** The graph with a box added to the scene, and the console node in the inspector. */
 export async function shootGraph() {

@@ -4,7 +4,7 @@
 import { copyFileSync, existsSync, mkdirSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { paintClockFilm } from './clockFilm.mjs';
-import { shootGraph } from './pageShots.mjs';
+import { drawIcons, shootGraph } from './pageShots.mjs';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
 import { toWebp } from './webp.mjs';
 
@@ -143,6 +143,7 @@ try {
     if (chosen(scene))
       slowlight('diagram', fileOf(scene), '-o', `docs/pictures/${name}.svg`, '--size', '960x540', ...flags);
   if (chosen('graph')) await shootGraph();
+  if (chosen('icons')) await drawIcons();
   if (names.includes('interior')) paintInterior();
   if (names.includes('clocks')) paintClockFilm('examples/panoramas/clocks.mp4');
   for (const comparison of comparisons)

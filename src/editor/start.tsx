@@ -17,6 +17,7 @@ import { setLanguage, useTexts } from './language/languageStore.ts';
 import { readFont } from './loading/fonts.ts';
 import { LocalFiles } from './loading/localFiles.ts';
 import { fileReader, sceneReader } from './loading/sceneLoader.ts';
+import { listenForInstallPrompt } from './offline/installPrompt.ts';
 import { renderStillInWorker } from './pipelines/renderStill.ts';
 import { Autosave } from './projects/autosave.ts';
 import { openStartupProject, pageAddress, type StartupRequest } from './projects/startup.ts';
@@ -24,6 +25,7 @@ import { type EditorServices, ServicesProvider } from './services.tsx';
 import { EditorProvider } from './state/context.tsx';
 import { createEditor } from './state/editor.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
+import { telemetry } from './state/telemetry.ts';
 import { theme } from './theme.ts';
 import { chooseBackend } from './viewport/chooseBackend.ts';
 import { legendStore } from './viewport/legend/legendState.ts';
@@ -36,6 +38,7 @@ export interface StartOptions extends StartupRequest {
 /** Starts the editor in a page. */
 export async function startEditor(root: Root, { backend: wanted, lesson, ...asked }: StartOptions): Promise<void> {
   if (isCoarse) void import('./coarse.css');
+  listenForInstallPrompt();
   const { language, legend: withLegend, flight, comfort, frameRate } = loadPreferences();
   legendStore.setState({ visible: withLegend });
   const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);
@@ -81,6 +84,11 @@ export async function startEditor(root: Root, { backend: wanted, lesson, ...aske
       loadComfort();
     });
   }
+  const stopWaiting = telemetry.subscribe(({ drawn }) => {
+    if (!drawn) return;
+    stopWaiting();
+    void import('./offline/keepForOffline.ts').then(({ keepForOffline }) => keepForOffline());
+  });
   const autosave = new Autosave({ ...session, editor, observerController, localFiles, address: pageAddress });
   // A duplicated tab has nothing stored yet.
   void autosave.saveNow();

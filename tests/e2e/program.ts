@@ -57,6 +57,8 @@ export class Program {
       reducedMotion: 'reduce',
       colorScheme: 'dark',
       locale: 'en-GB',
+      // It would answer what tests let wait or fail.
+      serviceWorkers: 'block',
       ...options,
     });
     context.setDefaultTimeout(PATIENCE);

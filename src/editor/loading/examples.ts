@@ -1,5 +1,6 @@
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import { fetchFile } from './fetchFile.ts';
 
 /** A scene or project of the gallery, as listed in `examples/index.json`; generated from the files at build time. */
 export interface Example {
@@ -14,7 +15,7 @@ export interface Example {
 }
 
 export async function loadExamples(): Promise<readonly Example[]> {
-  const response = await fetch(new URL('examples/index.json', document.baseURI));
+  const response = await fetchFile(new URL('examples/index.json', document.baseURI), 'examples/index.json');
   if (!response.ok) throw new MessageError(msg`examples/index.json: the server answers ${response.status}`);
   return response.json() as Promise<readonly Example[]>;
 }

@@ -3,6 +3,7 @@ import { nearestPath } from '../../formats/files/nearestPath.ts';
 import { RangedFile } from '../../formats/files/rangedFile.ts';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import { fetchFile } from './fetchFile.ts';
 import { readUserFile, type UserFile } from './userFiles.ts';
 
 type ReportProgress = (received: number, total: number) => void;
@@ -14,7 +15,7 @@ type ReportProgress = (received: number, total: number) => void;
 export function urlSource(base: string, report: ReportProgress): FileSource {
   return {
     read: async (path) => {
-      const response = await fetch(new URL(encodePath(normalizePath(path)), base));
+      const response = await fetchFile(new URL(encodePath(normalizePath(path)), base), path);
       if (response.status === 404) return undefined;
       if (!response.ok)
         throw new MessageError(msg`${path}: the server answers ${response.status} ${response.statusText}`);

@@ -2,6 +2,7 @@ import { Button, Kbd, Menu, Text, UnstyledButton } from '@mantine/core';
 import {
   IconChevronDown,
   IconDeviceFloppy,
+  IconDownload,
   IconFile,
   IconFilePlus,
   IconFolder,
@@ -12,12 +13,14 @@ import {
   IconPencil,
 } from '@tabler/icons-react';
 import { type ReactNode, useRef, useState } from 'react';
+import { useStore } from 'zustand';
 import { FORMAT_NAMES } from '../../formats/formatLists.ts';
 import { msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useProjectName } from '../language/useSceneTexts.ts';
 import { pickedFiles } from '../loading/pickedFiles.ts';
+import { installStore } from '../offline/installPrompt.ts';
 import { useServices } from '../services.tsx';
 import { useOpenFiles } from '../shell/useOpenFiles.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
@@ -37,6 +40,7 @@ export function ProjectMenu(): ReactNode {
   const fileInput = useRef<HTMLInputElement>(null);
   const folderInput = useRef<HTMLInputElement>(null);
   const [earlier, look] = useClosedSessions();
+  const install = useStore(installStore, (offer) => offer.install);
   const onPicked = (input: HTMLInputElement) => {
     open(pickedFiles(input.files ?? []));
     input.value = '';
@@ -60,6 +64,14 @@ export function ProjectMenu(): ReactNode {
           <Menu.Divider />
           <SaveItems />
           {earlier.length > 0 && <ClosedSessionItems earlier={earlier} />}
+          {install && (
+            <>
+              <Menu.Divider />
+              <Menu.Item leftSection={<IconDownload size={15} />} onClick={install}>
+                {t(msg`Install as a program…`)}
+              </Menu.Item>
+            </>
+          )}
         </Menu.Dropdown>
       </Menu>
       <input ref={fileInput} type="file" multiple hidden onChange={(event) => onPicked(event.currentTarget)} />

@@ -8,6 +8,7 @@ import { type LocalizedText, msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { InputError } from '../../scene/types.ts';
+import { fetchFile } from '../loading/fetchFile.ts';
 import type { LocalFiles } from '../loading/localFiles.ts';
 import { expandArchives, readUserFile, type UserFile, type UserFiles } from '../loading/userFiles.ts';
 import type { LoadedProject } from '../state/editor.ts';
@@ -59,8 +60,8 @@ export async function projectFromFiles(files: UserFiles, path: string, local: Lo
  * if the server does not have it.
  */
 export async function projectFromAddress(address: string, local: LocalFiles): Promise<LoadedProject> {
-  const response = await fetch(new URL(address, document.baseURI));
   const name = address.slice(address.lastIndexOf('/') + 1);
+  const response = await fetchFile(new URL(address, document.baseURI), name);
   if (!response.ok)
     throw inputError('file.missing', name, msg`the server answers ${response.status}; check the address`);
   const file = await response.blob();

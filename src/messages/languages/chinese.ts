@@ -1631,6 +1631,9 @@ const messages: Translation['messages'] = {
   'the reader did not give the files': '读取器没有给出文件',
   'the reader could not be started': '无法启动读取器',
   'examples/index.json: the server answers {}': 'examples/index.json：服务器回答 {1}',
+  '{}: nothing answers at its address. Check the network, then open it again':
+    '{1}：其地址没有应答。请检查网络，然后重新打开',
+  'Install as a program…': '安装为程序…',
   '{}: the server answers {} {}': '{1}：服务器回答 {2} {3}',
   'the server answers {}; check the address': '服务器回答 {1}；请检查地址',
   'it holds no .slowlight.json; save the project with its files again':
