@@ -4,14 +4,12 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { HalfAtlas, HalfTable } from '../../shaders/tables/halfAtlas.ts';
 import { type BandColors, luminanceOf } from '../../shaders/tables/spectrumTable.ts';
 import type * as gpu from '../../shaders/types.ts';
-import { observedColor } from '../../spectrum/color/observerColor.ts';
 import { REDDENED, REDDENED_COLORS, SCATTERED, SCATTERED_COLOR } from '../../spectrum/color/scatteredLight.ts';
 import {
   columnOf,
   type DopplerTable,
   fromUnitRatio,
   shapeChannels,
-  tableColor,
   tableShape,
   tableTexel,
   toUnitRatio,
@@ -26,7 +24,6 @@ import {
   sampledSpectrumAtRest,
 } from '../../spectrum/doppler/filterPairs.ts';
 import { rowOf } from '../../spectrum/doppler/thermalTable.ts';
-import { WHITE_FILTER } from '../../spectrum/reflectance/spectralFilter.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 
 /** Colours of daylight through each band of a filter that is shifted with it, and its Y(T D)/(Y(T) D⁴). */
@@ -54,8 +51,8 @@ const STEPS = 8193;
 const WIDTH = 256;
 const ROWS = Math.ceil(STEPS / WIDTH);
 
-/** The texels of a table at one step of D: four numbers per layer. */
-type Layers = readonly (readonly number[])[];
+/** Writes the colours of a light at a shift, three numbers per layer. */
+type ColorsAt = (D: number, out: Float64Array) => void;
 
 /**
  * The line T = 6504 K · D of a table of blackbodies, and of other lights that are shifted in this way, over D/(1 + D): so fine that texels are fetched
@@ -65,7 +62,7 @@ export class DaylightColumns {
   readonly layers: 3 | 4;
   private readonly blackbodies: DopplerTable;
   private readonly cache = new Map<string, Uint16Array>();
-  private readonly skies = new Map<number, (D: number) => Layers>();
+  private readonly skies = new Map<number, ColorsAt>();
   /** Of the bands at `shifts`. */
   private bands: readonly PairedBands[] | undefined;
 
@@ -76,59 +73,73 @@ export class DaylightColumns {
 
   /** Layer after layer; G and its slope in the fourth channels (`columns`). */
   daylight(): Uint16Array {
-    const { blackbodies } = this;
-    const integrate = () => (D: number) => {
-      const [row, column] = [rowOf(blackbodies, DAYLIGHT.temperature * D), columnOf(blackbodies, D)];
-      return Array.from({ length: this.layers }, (_, layer) => tableTexel(blackbodies, layer, row, column));
-    };
-    return this.cached('daylight', integrate, this.shapeOf(DAYLIGHT.temperature));
+    return this.cached('daylight', this.layers, () => this.daylightAt, this.shapeOf(DAYLIGHT.temperature));
   }
 
+  /** One of the lights of skies, unfiltered. */
   skyColors(light: number): Uint16Array {
-    return this.cached(`sky ${light}`, () => this.skyOverShifts(light));
-  }
-
-  skyOverDaylight(light: number): Uint16Array {
-    return this.cached(`sent ${light}`, () => {
-      const skyAt = this.skyOverShifts(light);
-      return (D) => [overWhite(skyAt(D)[0], this.white(D))];
+    return this.cached(`sky ${light}`, 1, () => {
+      const bandsAt = this.skyOverShifts(light);
+      const bands = new Float64Array(3 * this.layers);
+      return (D, out) => {
+        bandsAt(D, bands);
+        sumLayers(bands, out);
+      };
     });
   }
 
-  private white(D: number): Vec3 {
-    const { blackbodies } = this;
-    return tableColor(
-      blackbodies,
-      rowOf(blackbodies, DAYLIGHT.temperature * D),
-      columnOf(blackbodies, D),
-      WHITE_FILTER,
-    );
+  skyOverDaylight(light: number): Uint16Array {
+    return this.cached(`sent ${light}`, 1, () => {
+      const bandsAt = this.skyOverShifts(light);
+      const bands = new Float64Array(3 * this.layers);
+      const white = new Float64Array(3);
+      return (D, out) => {
+        this.daylightAt(D, bands);
+        sumLayers(bands, white);
+        bandsAt(D, bands);
+        sumLayers(bands, out);
+        // Where a channel of daylight vanishes (blue of embers), the quotient tends to 0.
+        for (let k = 0; k < 3; k++) out[k] *= white[k] / (white[k] ** 2 + 1e-4);
+      };
+    });
   }
 
   /** One of the lights of skies through each band, layer after layer. */
   skyBands(light: number): Uint16Array {
-    return this.cached(`bands ${light}`, () => {
-      const bands = this.bandsAtShifts();
-      return overShifts((D, i) => sampledSpectrumAtRest(SKY_LIGHTS[light].spectrum, D, bands[i].surface));
-    });
+    return this.cached(`bands ${light}`, this.layers, () => this.skyOverShifts(light));
   }
 
   overlaps(): Uint16Array {
-    return this.cached('overlaps', () => overShifts((D) => bandOverlaps(DAYLIGHT.temperature * D, D, this.layers)));
+    const integrate = () => {
+      const bands = this.bandsAtShifts();
+      return overShifts(3, (D, i) => bandOverlaps(DAYLIGHT.temperature * D, bands[i]));
+    };
+    return this.cached('overlaps', 3, integrate);
   }
 
   /** A coloured light, layer after layer; G and its slope in the fourth channels. */
   colored(light: FilteredBlackbody): Uint16Array {
     const integrate = () => {
       const bands = this.bandsAtShifts();
-      return overShifts((D, i) => filteredBlackbodyAtRest(light, D, bands[i]));
+      return overShifts(this.layers, (D, i) => filteredBlackbodyAtRest(light, D, bands[i]));
     };
-    return this.cached(`colored ${JSON.stringify(light)}`, integrate, this.shapeOf(light.temperature));
+    return this.cached(`colored ${JSON.stringify(light)}`, this.layers, integrate, this.shapeOf(light.temperature));
   }
 
-  /** Skies are both seen directly and reflected; the integrals are cached for both. */
-  private skyOverShifts(light: number): (D: number) => Layers {
-    const sky = this.skies.get(light) ?? overShifts((D) => [skyColor(light, D)]);
+  private readonly daylightAt: ColorsAt = (D, out) => {
+    const { blackbodies } = this;
+    const [row, column] = [rowOf(blackbodies, DAYLIGHT.temperature * D), columnOf(blackbodies, D)];
+    for (let layer = 0; layer < this.layers; layer++) out.set(tableTexel(blackbodies, layer, row, column), 3 * layer);
+  };
+
+  /** The bands of a sky's light, whose sum is the light: skies are both seen directly and reflected. */
+  private skyOverShifts(light: number): ColorsAt {
+    const { spectrum } = SKY_LIGHTS[light];
+    const integrate = () => {
+      const bands = this.bandsAtShifts();
+      return overShifts(this.layers, (D, i) => sampledSpectrumAtRest(spectrum, D, bands[i].surface));
+    };
+    const sky = this.skies.get(light) ?? integrate();
     this.skies.set(light, sky);
     return sky;
   }
@@ -144,38 +155,43 @@ export class DaylightColumns {
   }
 
   /** Integrates only on first use, because integration takes long. */
-  private cached(name: string, integrate: () => (D: number) => Layers, shapeAt?: (D: number) => number): Uint16Array {
-    const columnsData = this.cache.get(name) ?? columns(integrate(), shapeAt);
+  private cached(
+    name: string,
+    layers: number,
+    integrate: () => ColorsAt,
+    shapeAt?: (D: number) => number,
+  ): Uint16Array {
+    const columnsData = this.cache.get(name) ?? columns(layers, integrate(), shapeAt);
     this.cache.set(name, columnsData);
     return columnsData;
   }
 }
 
-/** Where a channel of daylight vanishes (blue of embers), the quotient tends to 0. */
-const overWhite = (skyTexel: readonly number[], white: Vec3): readonly number[] =>
-  skyTexel.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4));
-
-const skyColor = (light: number, D: number): Vec3 =>
-  observedColor(WHITE_FILTER, WHITE_FILTER, SKY_LIGHTS[light].spectrum, 1, D);
+/** The light that passes one of the layers. */
+function sumLayers(layers: Float64Array, out: Float64Array): void {
+  out.fill(0);
+  for (let i = 0; i < layers.length; i++) out[i % 3] += layers[i];
+}
 
 /** The layers at all steps; with `shapeAt` their fourth channels are those of `shapeChannels`, with the slope from step to step. */
-function columns(layersAt: (D: number) => Layers, shapeAt?: (D: number) => number): Uint16Array {
+function columns(layers: number, colorsAt: ColorsAt, shapeAt?: (D: number) => number): Uint16Array {
   const shiftOf = (i: number): number => Math.min(Math.max(fromUnitRatio(i / (STEPS - 1)), 1e-4), 1e7);
-  const steps = Array.from({ length: STEPS }, (_, i) => layersAt(shiftOf(i)));
   const shapes =
     shapeAt &&
     shapeChannels(
-      Array.from(steps, (_, i) => shapeAt(shiftOf(i))),
+      Array.from({ length: STEPS }, (_, i) => shapeAt(shiftOf(i))),
       slope,
     );
-  const data = new Uint16Array(4 * ROWS * WIDTH * steps[0].length);
-  steps.forEach((layers, i) => {
-    layers.forEach((texel, k) => {
-      const at = 4 * (k * ROWS * WIDTH + i);
-      data.set(texel.map(toHalf), at);
-      if (shapes && k < 3) data[at + 3] = toHalf(shapes[i][k]);
-    });
-  });
+  const data = new Uint16Array(4 * ROWS * WIDTH * layers);
+  const colors = new Float64Array(3 * layers);
+  for (let i = 0; i < STEPS; i++) {
+    colorsAt(shiftOf(i), colors);
+    for (let layer = 0; layer < layers; layer++) {
+      const at = 4 * (layer * ROWS * WIDTH + i);
+      for (let k = 0; k < 3; k++) data[at + k] = toHalf(colors[3 * layer + k]);
+      if (shapes && layer < 3) data[at + 3] = toHalf(shapes[i][layer]);
+    }
+  }
   return data;
 }
 
@@ -258,13 +274,19 @@ const NODES = 513;
 const shifts = (): readonly number[] =>
   Array.from({ length: NODES - 2 }, (_, i) => fromUnitRatio((i + 1) / (NODES - 1)));
 
-function overShifts(layersAt: (D: number, i: number) => Layers): (D: number) => Layers {
-  const nodes = shifts().map(layersAt);
-  const black = nodes[0].map((texel) => texel.map(() => 0));
-  return (D) => {
+/** Integrates at the shifts, `layers` colours each; black at D = 0 and ∞. */
+function overShifts(layers: number, colorsAt: (D: number, i: number) => readonly Vec3[]): ColorsAt {
+  const size = 3 * layers;
+  const nodes = new Float64Array(NODES * size);
+  shifts().forEach((D, i) => {
+    colorsAt(D, i).forEach((color, layer) => {
+      nodes.set(color, (i + 1) * size + 3 * layer);
+    });
+  });
+  return (D, out) => {
     const position = (NODES - 1) * toUnitRatio(D);
     const i = Math.min(Math.floor(position), NODES - 2);
-    const [a, b] = [nodes[i - 1] ?? black, nodes[i] ?? black];
-    return a.map((texel, k) => texel.map((value, channel) => value + (b[k][channel] - value) * (position - i)));
+    const fraction = position - i;
+    for (let k = 0, at = i * size; k < size; k++, at++) out[k] = nodes[at] + (nodes[at + size] - nodes[at]) * fraction;
   };
 }

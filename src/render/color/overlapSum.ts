@@ -1,6 +1,6 @@
 import { abs, dot, If, vec3 } from 'three/tsl';
 import type { Vec3 } from '../../shaders/types.ts';
-import { bandOverlaps } from '../../spectrum/doppler/filterPairs.ts';
+import { bandOverlaps, pairedBands } from '../../spectrum/doppler/filterPairs.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import type { Overlaps } from './daylightTable.ts';
 import type { SpectralFilterNodes } from './radiance.ts';
@@ -32,7 +32,7 @@ export function overlapSum(): OverlapSum {
       sum.addAssign(reflectance.xyz.sub(reflectance.yzx).mul(light.sub(light.yzx)));
     },
     atRest: () => {
-      const [rg, gb, br] = bandOverlaps(DAYLIGHT.temperature, 1, 3);
+      const [rg, gb, br] = bandOverlaps(DAYLIGHT.temperature, pairedBands(1, 3));
       return through([vec3(...rg), vec3(...gb), vec3(...br)]);
     },
     shifted: (colors) => {

@@ -7,7 +7,7 @@ import { addScaled, dot, scale, type Vec3 } from '../../math/vec3.ts';
 import { LUMINANCE_WEIGHTS, observedColor, XYZ_TO_RENDER_SRGB } from '../color/observerColor.ts';
 import { filterFromRgb, WHITE_FILTER } from '../reflectance/spectralFilter.ts';
 import { columnOf, tableColor } from './dopplerTable.ts';
-import { bandOverlaps, filteredBlackbodyTable } from './filterPairs.ts';
+import { bandOverlaps, filteredBlackbodyTable, pairedBands } from './filterPairs.ts';
 
 const TO_XYZ = invert(XYZ_TO_RENDER_SRGB) ?? IDENTITY;
 const lab = (rgb: Vec3) => labOf(transform(TO_XYZ, rgb), transform(TO_XYZ, [1, 1, 1]));
@@ -48,7 +48,10 @@ describe('coloured light on coloured surfaces', () => {
         1 / D,
         D,
       );
-      const found = bandOverlaps(6504 * D, D, 3).reduce((sum, color, i) => addScaled(sum, color, -shares[i]), bands);
+      const found = bandOverlaps(6504 * D, pairedBands(D, 3)).reduce(
+        (sum, color, i) => addScaled(sum, color, -shares[i]),
+        bands,
+      );
       const at = (surface: Vec3, light: Vec3) =>
         observedColor(filterFromRgb(surface), filterFromRgb(light), thermal(6504), 1, D);
       // Without the light's own luminance under the shift.

@@ -1,8 +1,8 @@
 import { toHalf } from '../../math/half.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { NANOMETRE, WAVELENGTHS } from '../observer/standardObserver.ts';
 import { basisAt, reflectanceAt, type SpectralFilter } from '../reflectance/spectralFilter.ts';
-import { meanRadiance, type SampledSpectrum, spectralRadiance } from '../sources/lightSpectrum.ts';
+import { meanRadiances, type SampledSpectrum, spectralRadiance } from '../sources/lightSpectrum.ts';
 import { type DopplerTable, OBSERVER_SRGB, secondDifference, shapeChannels, shiftAt } from './dopplerTable.ts';
 import { luminanceShape } from './thermalTable.ts';
 
@@ -37,12 +37,12 @@ export function pairedBands(D: number, layers: 3 | 4): PairedBands {
 
 const BEYOND: SpectralFilter = { rgb: [0, 0, 0], uv: 1, ir: 1 };
 
-/** The linear sRGB channels of a blackbody of luminance 1 at every nanometre. */
-function observedBlackbody(temperature: number): readonly Float64Array[] {
+/** Radiance [1/m] of a blackbody of luminance 1 at every nanometre. */
+function blackbodyRadiance(temperature: number): Float64Array {
   const spectrum = { kind: 'thermal', temperature } as const;
   const radiance = new Float64Array(WAVELENGTHS.length);
   for (let n = 0; n < radiance.length; n++) radiance[n] = spectralRadiance(spectrum, WAVELENGTHS[n]);
-  return OBSERVER_SRGB.map((channel) => product(channel, radiance));
+  return radiance;
 }
 
 function product(a: Float64Array, b: Float64Array): Float64Array {
@@ -51,23 +51,26 @@ function product(a: Float64Array, b: Float64Array): Float64Array {
   return products;
 }
 
-function sumOf(a: Float64Array, b: Float64Array): number {
-  let sum = 0;
-  for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
-  return sum;
+/** Linear sRGB of a light, given at every nanometre, that passes a band. */
+function colorThrough(band: Float64Array, light: Float64Array): Vec3 {
+  const [R, G, B] = OBSERVER_SRGB;
+  let [r, g, b] = [0, 0, 0];
+  for (let n = 0; n < light.length; n++) {
+    const passed = band[n] * light[n];
+    r += passed * R[n];
+    g += passed * G[n];
+    b += passed * B[n];
+  }
+  return [r, g, b];
 }
 
 /**
- * C_rg, C_gb and C_br of a blackbody observed at T [K] and luminance 1, with both filters observed at the shift D, as for light reflected by a surface at rest.
+ * C_rg, C_gb and C_br of a blackbody observed at T [K] and luminance 1, with the bands of both filters at one shift, as for light reflected by a surface at rest.
  * Because Σ_j C_ij = C_i, the observed colour is Σ a_i k_i C_i − Σ (a_i − a_j)(k_i − k_j) C_ij over these three pairs; the second sum is 0 if either filter is neutral.
  */
-export function bandOverlaps(T: number, D: number, layers: 3 | 4): readonly [rg: Vec3, gb: Vec3, br: Vec3] {
-  const light = observedBlackbody(T);
-  const { surface, light: bands } = pairedBands(D, layers);
-  const overlap = (i: number, j: number): Vec3 => {
-    const both = product(surface[i], bands[j]);
-    return [sumOf(both, light[0]), sumOf(both, light[1]), sumOf(both, light[2])];
-  };
+export function bandOverlaps(T: number, { surface, light }: PairedBands): readonly [rg: Vec3, gb: Vec3, br: Vec3] {
+  const radiance = blackbodyRadiance(T);
+  const overlap = (i: number, j: number): Vec3 => colorThrough(product(surface[i], light[j]), radiance);
   return [overlap(0, 1), overlap(1, 2), overlap(2, 0)];
 }
 
@@ -88,9 +91,8 @@ export function filteredBlackbodyAtRest(
   D: number,
   bands: PairedBands,
 ): readonly Vec3[] {
-  const through = throughFilter(filter, bands.light);
-  const light = observedBlackbody(temperature * D).map((channel) => product(channel, through));
-  return bands.surface.map((band) => [sumOf(band, light[0]), sumOf(band, light[1]), sumOf(band, light[2])]);
+  const light = product(blackbodyRadiance(temperature * D), throughFilter(filter, bands.light));
+  return bands.surface.map((band) => colorThrough(band, light));
 }
 
 /**
@@ -103,9 +105,8 @@ export function sampledSpectrumAtRest(
   surface: readonly Float64Array[],
 ): readonly Vec3[] {
   const radiance = new Float64Array(WAVELENGTHS.length);
-  for (let n = 0; n < radiance.length; n++) radiance[n] = D * meanRadiance(spectrum, D * WAVELENGTHS[n], D * NANOMETRE);
-  const [red, green, blue] = OBSERVER_SRGB.map((channel) => product(channel, radiance));
-  return surface.map((band) => [sumOf(band, red), sumOf(band, green), sumOf(band, blue)]);
+  meanRadiances(spectrum, D * WAVELENGTHS[0], D * NANOMETRE, radiance);
+  return surface.map((band) => scale(colorThrough(band, radiance), D));
 }
 
 function throughFilter([r, g, b]: Vec3, [red, green, blue]: readonly Float64Array[]): Float64Array {
@@ -134,22 +135,21 @@ export function filteredBlackbodyTable(
     secondDifference,
   );
   shifts.forEach((D, row) => {
-    const through = throughFilter(filter, bands[row].light);
-    const light = observedBlackbody(temperature * D).map((channel) => product(channel, through));
-    const totals = light.map((channel) => sumOf(ONES, channel));
+    const light = product(blackbodyRadiance(temperature * D), throughFilter(filter, bands[row].light));
+    const total = colorThrough(ONES, light);
     const shape = luminanceShapes[row].map(toHalf);
     const at = (layer: number, column: number): number => 4 * ((layer * steps + row) * steps + column);
     bands.forEach(({ surface }, column) => {
       for (let layer = 0; layer < 3; layer++) data[at(layer, column) + 3] = shape[layer];
-      light.forEach((channel, k) => {
-        const r = sumOf(surface[0], channel);
-        const g = sumOf(surface[1], channel);
-        const x = layers === 4 ? sumOf(surface[3], channel) : 0;
-        data[at(0, column) + k] = toHalf(r);
-        data[at(1, column) + k] = toHalf(g);
-        data[at(2, column) + k] = toHalf(totals[k] - r - g - x);
-        if (layers === 4) data[at(3, column) + k] = toHalf(x);
-      });
+      const r = colorThrough(surface[0], light);
+      const g = colorThrough(surface[1], light);
+      const x = layers === 4 ? colorThrough(surface[3], light) : ZERO;
+      for (let k = 0; k < 3; k++) {
+        data[at(0, column) + k] = toHalf(r[k]);
+        data[at(1, column) + k] = toHalf(g[k]);
+        data[at(2, column) + k] = toHalf(total[k] - r[k] - g[k] - x[k]);
+        if (layers === 4) data[at(3, column) + k] = toHalf(x[k]);
+      }
     });
   });
   return { data, layers, columns: steps, rows: steps };

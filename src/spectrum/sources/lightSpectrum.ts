@@ -64,16 +64,37 @@ export function meanRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wavele
   return meanSample(spectrum, wavelength, width) * scaleOf(spectrum);
 }
 
-function meanSample(spectrum: SampledSpectrum, wavelength: number, width: number): number {
-  const place = (wavelength - spectrum.first) / spectrum.step;
-  const half = width / (2 * spectrum.step);
-  return (integralUpTo(spectrum, place + half) - integralUpTo(spectrum, place - half)) / (2 * half);
+/**
+ * `meanRadiance` over adjoining steps of `width` [m], the first of them around `wavelength` [m]: as many as `out` has. Each limit is
+ * evaluated once, for the tables.
+ */
+export function meanRadiances(spectrum: SampledSpectrum, wavelength: number, width: number, out: Float64Array): void {
+  const sums = sumsOf(spectrum);
+  const share = width / spectrum.step;
+  const start = (wavelength - spectrum.first) / spectrum.step - share / 2;
+  const factor = scaleOf(spectrum) / share;
+  let before = integralUpTo(spectrum.values, sums, start);
+  for (let n = 0; n < out.length; n++) {
+    const after = integralUpTo(spectrum.values, sums, start + (n + 1) * share);
+    out[n] = (after - before) * factor;
+    before = after;
+  }
 }
 
-/** ∫ of the values from the first to `place`, in units of the step. */
-function integralUpTo(spectrum: SampledSpectrum, place: number): number {
+function meanSample(spectrum: SampledSpectrum, wavelength: number, width: number): number {
   const { values } = spectrum;
-  const sums = memoize(integrals, spectrum, () => runningIntegral(values));
+  const sums = sumsOf(spectrum);
+  const place = (wavelength - spectrum.first) / spectrum.step;
+  const half = width / (2 * spectrum.step);
+  return (integralUpTo(values, sums, place + half) - integralUpTo(values, sums, place - half)) / (2 * half);
+}
+
+/** ∫ of the values from the first to each, in units of the step. */
+const sumsOf = (spectrum: SampledSpectrum): Float64Array =>
+  memoize(integrals, spectrum, () => runningIntegral(spectrum.values));
+
+/** ∫ of the values from the first to `place`, in units of the step; `sums`: `sumsOf`. */
+function integralUpTo(values: readonly number[], sums: Float64Array, place: number): number {
   const within = Math.min(Math.max(place, 0), values.length - 1);
   const i = Math.min(Math.floor(within), values.length - 2);
   const t = within - i;
@@ -142,5 +163,5 @@ function ofLines({ lines }: LineSpectrum): [luminance: number, power: number] {
 function ofSamples(spectrum: SampledSpectrum): [luminance: number, power: number] {
   const { values, step } = spectrum;
   const [, Y] = tristimulus((wavelength) => meanSample(spectrum, wavelength, NANOMETRE));
-  return [Y, integralUpTo(spectrum, values.length) * step];
+  return [Y, integralUpTo(values, sumsOf(spectrum), values.length) * step];
 }
