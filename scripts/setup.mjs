@@ -139,7 +139,7 @@ const products = {
   },
   app: {
     title: 'the page',
-    inputs: ['src', 'examples', 'lessons', 'vite.config.ts', 'tsconfig.json'],
+    inputs: ['src', 'examples', 'lessons', 'scripts/page', 'vite.config.ts', 'tsconfig.json'],
     clean: [],
     build: () => run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'error']),
   },

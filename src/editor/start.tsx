@@ -3,7 +3,6 @@ import { msg } from '../messages/message.ts';
 import '@fontsource-variable/inter/wght.css';
 import './fonts/fonts.css';
 import './mantine.css';
-import 'dockview/dist/styles/dockview.css';
 import './editor.css';
 import { MantineProvider } from '@mantine/core';
 import { type ReactNode, StrictMode, useEffect } from 'react';

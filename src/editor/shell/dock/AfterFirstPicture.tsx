@@ -11,8 +11,10 @@ export function AfterFirstPicture({ children }: { readonly children: ReactNode }
   return begun && <Suspense>{children}</Suspense>;
 }
 
-/** Whether there will be no picture, or more than reading files comes before it. */
-const isLate = ({ graphics, notices, loading, results, picture }: EditorState): boolean =>
+/** Whether there will be no picture, more than reading files comes before it, or panels are asked for besides the controls. */
+const isLate = ({ graphics, notices, loading, results, picture, graph, lesson }: EditorState): boolean =>
   graphics === 'failed' ||
+  graph ||
+  lesson !== undefined ||
   notices.length > 0 ||
   (loading ? loading.stage === 'trace' || loading.stage === 'simulate' : results.size > 0 && !picture);
