@@ -134,6 +134,7 @@ async function expectFit(
 
 it('every control of the page is reachable by Tab, with visible focus', async () => {
   const visit = await (await program.open(SMALL, { viewport: { width: 1280, height: 720 } })).ready();
+  await visit.page.getByRole('textbox', { name: 'Speed of light', exact: true }).waitFor();
   const reached: string[] = [];
   const faint: string[] = [];
   for (let i = 0; i < 70; i++) {

@@ -228,6 +228,50 @@ describe('the page', () => {
     await visit.close();
   });
 
+  it('draws nothing where nothing changes, and again when one flies', async () => {
+    const visit = await program.open(SMALL, {}, async (page) => {
+      await page.addInitScript(() => {
+        const counted = globalThis as unknown as { draws: number };
+        counted.draws = 0;
+        const { prototype } = WebGL2RenderingContext;
+        for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'] as const) {
+          const draw = prototype[name] as (...args: unknown[]) => void;
+          Object.assign(prototype, {
+            [name](...args: unknown[]) {
+              counted.draws++;
+              draw.apply(this, args);
+            },
+          });
+        }
+      });
+    });
+    await visit.finest();
+    const { page } = visit;
+    const draws = () => page.evaluate(() => (globalThis as unknown as { draws: number }).draws);
+    const duringFrames = async (count: number) => {
+      const before = await draws();
+      await page.evaluate(
+        (frames) =>
+          new Promise<void>((done) => {
+            const next = (left: number) => (left === 0 ? done() : requestAnimationFrame(() => next(left - 1)));
+            next(frames);
+          }),
+        count,
+      );
+      return (await draws()) - before;
+    };
+    expect(await draws()).toBeGreaterThan(0);
+    // Shaders that flights will need are tried out first.
+    await expect.poll(() => duringFrames(120)).toBe(0);
+    await page.getByRole('button', { name: 'Keys and help' }).hover();
+    expect(await duringFrames(120)).toBe(0);
+    await visit.viewport.focus();
+    await page.keyboard.down('w');
+    await expect.poll(() => duringFrames(10)).toBeGreaterThan(0);
+    await page.keyboard.up('w');
+    await visit.close();
+  });
+
   it('loads little before its first picture: each part at most its share', async () => {
     const requests: Request[] = [];
     const visit = await program.open(SMALL, {}, async (page) => {

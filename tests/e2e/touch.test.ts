@@ -214,6 +214,7 @@ describe.each(['a small phone', 'a phone', 'a tablet'] as const)('on %s', (name)
     await expect.poll(() => smallTargets(page)).toEqual([]);
     const sheet = page.getByRole('button', { name: 'Panels' });
     if (name !== 'a tablet') {
+      await sheet.waitFor();
       // A tab opens the sheet, and closes it.
       const tab = page.getByRole('tab', { name: 'Controls' });
       const pictureHeight = async () => (await visit.viewport.boundingBox())!.height;
@@ -261,5 +262,26 @@ it('a phone that is turned has its panels beside the picture, and below it again
   await expect.poll(async () => (await picture()).width).toBe(upright.width);
   await page.getByRole('button', { name: 'Panels', expanded: true }).tap();
   await expect.poll(async () => (await picture()).height).toBe(upright.height);
+  await visit.close();
+});
+
+it('a device is a window where one asks for it: the picture turns as it is turned, and back', async () => {
+  const visit = await opened('sphere', PHONE);
+  const { page } = visit;
+  const session = await page.context().newCDPSession(page);
+  const hold = (alpha: number, beta: number) =>
+    session.send('DeviceOrientation.setDeviceOrientationOverride', { alpha, beta, gamma: 0 });
+  await hold(0, 90);
+  await page.getByRole('button', { name: /^Flight: / }).tap();
+  await visit.settled();
+  await page.getByRole('switch', { name: 'Look around by turning the device' }).tap();
+  await page.keyboard.press('Escape');
+  await visit.settled();
+  await visit.finest();
+  const ahead = await visit.pixels();
+  await hold(40, 80);
+  await expect.poll(async () => difference(ahead, await visit.pixels())).toBeGreaterThan(1);
+  await hold(0, 90);
+  await expect.poll(async () => difference(ahead, await visit.pixels())).toBeLessThan(0.2);
   await visit.close();
 });

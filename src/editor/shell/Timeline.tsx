@@ -53,6 +53,7 @@ function Scrubber(): ReactNode {
   const time = useTelemetry((live) => live.t);
   const start = useEditorState((state) => state.picture?.scene.startTime ?? 0);
   const end = useEditorState((state) => state.picture?.scene.endTime ?? 0);
+  const opened = useEditorState(({ picture }) => picture !== undefined);
   const moves = useEditorState(({ picture }) => {
     const scene = picture?.scene;
     return scene && (scene.objects.some(({ motion }) => !isStatic(motion)) || filmedDome(scene) !== undefined);
@@ -80,7 +81,7 @@ function Scrubber(): ReactNode {
         />
       ) : (
         <Text size="xs" c="dimmed" className="sl-scrubber">
-          {t(moves ? msg`Time goes on without an end in this scene` : msg`Nothing moves in this scene`)}
+          {opened && t(moves ? msg`Time goes on without an end in this scene` : msg`Nothing moves in this scene`)}
         </Text>
       )}
       {end > start && (

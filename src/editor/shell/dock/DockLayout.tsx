@@ -115,6 +115,8 @@ function useDockview(
   useLayoutEffect(() => {
     if (!host.current) return;
     const focused = picture.contains(document.activeElement) ? (document.activeElement as HTMLElement) : undefined;
+    // What is there from the start does not open.
+    let isLaidOut = false;
     const made = createDockview(host.current, {
       createComponent: ({ name }) => {
         if (name === 'picture') return { element: picture, init: () => {} };
@@ -133,10 +135,12 @@ function useDockview(
       createTabComponent: plainTab,
       defaultTabComponent: 'plain',
       disableFloatingGroups: true,
-      getAnnouncement: ({ kind, panel }) => announcement(kind, PANELS[panel.id as PanelName].title, say.current),
+      getAnnouncement: ({ kind, panel }) =>
+        isLaidOut ? announcement(kind, PANELS[panel.id as PanelName].title, say.current) : null,
       theme: THEMES.dark,
     });
     layOut(made, isNarrow(host.current));
+    isLaidOut = true;
     // What is moved loses the focus.
     focused?.focus();
     setApi(made);
