@@ -5,9 +5,10 @@ import { formats } from './formats/formats.ts';
 import { load } from './formats/load.ts';
 import { bundle } from './page/bundle.ts';
 import { diagram } from './page/diagram.ts';
+import { firstPicture } from './page/firstPicture.ts';
 import { graph } from './page/graph.ts';
 import { graphPage } from './page/graphPage.ts';
-import { page } from './page/page.ts';
+import { weak } from './page/weak.ts';
 import { reference } from './reference/reference.ts';
 import { antialiasing } from './rendering/antialiasing.ts';
 import { capture } from './rendering/capture.ts';
@@ -56,7 +57,8 @@ const benches: readonly Bench[] = [
   graph,
   graphPage,
   diagram,
-  page,
+  firstPicture,
+  weak,
   bundle,
 ];
 

@@ -1,0 +1,64 @@
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { fileURLToPath } from 'node:url';
+import { type BrowserContext, chromium, type Page } from 'playwright-core';
+import { findChromium, SOFTWARE_GPU_FLAGS } from '../../src/cli/gpu/gpuDrivers.ts';
+
+const bin = fileURLToPath(new URL('../../../../bin/slowlight.js', import.meta.url));
+
+/** A backend of the page, on one of the drivers that draw on the processor. */
+interface Graphics {
+  readonly name: string;
+  readonly backend: 'webgl' | 'webgpu';
+  readonly flags: readonly string[];
+}
+
+/** What browsers draw with where there is no GPU. */
+export const GRAPHICS: readonly Graphics[] = [
+  { name: 'WebGL2, llvmpipe', backend: 'webgl', flags: SOFTWARE_GPU_FLAGS },
+  {
+    name: 'WebGL2, SwiftShader',
+    backend: 'webgl',
+    flags: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  },
+  { name: 'WebGPU, SwiftShader', backend: 'webgpu', flags: SOFTWARE_GPU_FLAGS },
+];
+
+/** The built page on this machine, and a browser. */
+export interface PageServer {
+  /** A browser without stored data. */
+  context(): Promise<BrowserContext>;
+  /** With a query besides the backend: `scene=examples/street.usdc`. */
+  address(query: string): string;
+  close(): Promise<void>;
+}
+
+export async function servePage({ backend, flags }: Graphics): Promise<PageServer> {
+  const server = spawn(process.execPath, [bin, 'serve', '--port', '0', '--json'], {
+    stdio: ['ignore', 'pipe', 'inherit'],
+  });
+  const [line] = (await once(server.stdout, 'data')) as [Buffer];
+  const { url } = JSON.parse(line.toString()) as { url: string };
+  const executablePath = findChromium() ?? 'chromium';
+  const browser = await chromium.launch({ executablePath, headless: true, args: [...flags] });
+  return {
+    context: () => browser.newContext({ viewport: { width: 960, height: 600 } }),
+    address: (query) => `${url}/?backend=${backend}&${query}`,
+    async close() {
+      await browser.close();
+      server.kill();
+    },
+  };
+}
+
+/** Returns what tells how long the page's main thread has been busy since the call [s]. */
+export async function mainThreadTime(tab: Page): Promise<() => Promise<number>> {
+  const session = await tab.context().newCDPSession(tab);
+  await session.send('Performance.enable');
+  const busy = async (): Promise<number> => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return metrics.find(({ name }) => name === 'TaskDuration')?.value ?? Number.NaN;
+  };
+  const before = await busy();
+  return async () => (await busy()) - before;
+}
