@@ -12,7 +12,8 @@ export class SplittingRange implements SplittingWork {
   private readonly end: number;
   /** [N]; beyond the range without meaning. */
   private readonly force: Float64Array;
-  private bound: BoundStages | undefined;
+  /** For the last state, and for the one before: adaptive steps alternate between two. */
+  private bound: readonly [last: BoundStages, other?: BoundStages] | undefined;
 
   constructor(system: System, first = 0, end = system.masses.length) {
     this.system = system;
@@ -51,8 +52,11 @@ export class SplittingRange implements SplittingWork {
   }
 
   private stagesFor({ x, p }: State): BoundStages {
-    if (this.bound?.x !== x || this.bound.p !== p) this.bound = this.bind(x, p);
-    return this.bound;
+    const [last, other] = this.bound ?? [];
+    if (last?.x === x && last.p === p) return last;
+    const found = other?.x === x && other.p === p ? other : this.bind(x, p);
+    this.bound = [found, last];
+    return found;
   }
 
   /** Functions of their own for the arrays: compiled for them where they are the only ones (docs/adr/0057-threads-of-cloth.md). */
