@@ -6,7 +6,7 @@ import { meshSprings } from '../../src/dynamics/meshSprings.ts';
 import { METHODS } from '../../src/dynamics/methods/library.ts';
 import { maxAngularFrequency } from '../../src/dynamics/stability.ts';
 import { copyState, makeSystem, type State, type System, stateAtRest } from '../../src/dynamics/system.ts';
-import { ThreadTeam } from '../../src/dynamics/threads/threadTeam.ts';
+import { MIN_POINTS, ThreadTeam } from '../../src/dynamics/threads/threadTeam.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { sheet } from '../../tests/support/clothKit.ts';
 import { type Bench, cpuTimed, median, type Table, timed } from '../support/bench.ts';
@@ -24,15 +24,16 @@ const EXPLICIT = 1;
 const ROUNDS = 5;
 /** Points × steps of 1/240 s per round. */
 const WORK = 50_000;
-/** Before a round: steps until V8 has compiled for good what every one does, or for so long [ms]. */
-const WARM_UP = { steps: 2500, ms: 8000 };
+/** Steps of explicit methods before the first round, until V8 has compiled for good what each does; they take as long whatever the cloth does. */
+const WARM_UP = 2500;
 /** Larger cases are skipped: they would take minutes, with the same result. */
 const MAX_WORK = 1_000_000;
 /** [m/s], [m/s²], [N/m] */
 const [C, GRAVITY, K]: readonly [number, Vec3, number] = [10, [0, -9.8, 0], 1000];
 const PLAIN = 'as in the sources';
 const COMPARED = [PLAIN, 'leapfrog', 'yoshida-4', 'discrete-gradient'];
-/** Threads of the last column. */
+const STEPPED_AT_ONCE: ReadonlySet<string> = new Set(['leapfrog', 'yoshida-4']);
+/** Threads of the last column, where a run would take as many. */
 const TEAM = 2;
 
 /** What a child process measures. */
@@ -87,7 +88,8 @@ function times(): Table {
         return inChild('fall', JSON.stringify({ side, mass, method, parts, threads } satisfies FallTask));
       };
       const alone = COMPARED.map((method) => timesOf(method));
-      const ms = [...alone.map(({ busy }) => busy), timesOf('leapfrog', TEAM).elapsed];
+      const together = side * side < TEAM * MIN_POINTS ? Number.NaN : timesOf('leapfrog', TEAM).elapsed;
+      const ms = [...alone.map(({ busy }) => busy), together];
       energyError = Math.max(energyError, alone[COMPARED.indexOf('discrete-gradient')].energyError);
       rows.push([
         (side * side).toLocaleString('en'),
@@ -95,7 +97,7 @@ function times(): Table {
         String(explicit),
         ...ms,
         ms[0] / ms[1],
-        ...ms.slice(1).map((each) => `**${((STEP * 1000) / each).toPrecision(2)}**`),
+        ...ms.slice(1).map((each) => (each > 0 ? `**${Number(((STEP * 1000) / each).toPrecision(2))}**` : '–')),
       ]);
     }
   const names = [...COMPARED, `leapfrog, ${TEAM} threads`];
@@ -145,8 +147,8 @@ export async function measureFall(task: FallTask): Promise<FallTimes> {
   const round = (): void => {
     for (let i = 0; i < frames; i++) fall();
   };
-  const began = performance.now();
-  for (let steps = 0; steps < WARM_UP.steps && performance.now() - began < WARM_UP.ms; steps += task.parts) fall();
+  round();
+  if (STEPPED_AT_ONCE.has(task.method)) for (let steps = 0; steps < WARM_UP; steps += task.parts) fall();
   const [busy, elapsed]: [number[], number[]] = [[], []];
   for (let i = 0; i < ROUNDS; i++) {
     elapsed.push((await timed(async () => void busy.push((await cpuTimed(round)) / frames))) / frames);
