@@ -10,11 +10,11 @@ import { sheet } from '../support/clothKit.ts';
 /** The built library, because a thread starts from a file of its own. */
 const built = async <T>(path: string): Promise<T> => import(new URL(`../../dist/lib/${path}`, import.meta.url).href);
 
-const STEPS = 6000;
+const STEPS = 8000;
 
-/** 3600 points that hang at two corners, in steps of 0.3 of the stability limit: enough work for threads. */
+/** 6400 points that hang at two corners, in steps of 0.3 of the stability limit: enough work for threads. */
 function cloth(method: RunOptions['method'], more: Partial<RunOptions>): RunOptions {
-  const side = 60;
+  const side = 80;
   const { x, faces } = sheet(side);
   const masses = new Float64Array(side * side).fill(1e-4);
   const pinned = new Uint8Array(side * side);

@@ -16,9 +16,9 @@ export interface TeamThreads {
 /** How long a thread may take to start, or for a stage, before it is given up [ms]. */
 const PATIENCE = 60_000;
 /** Fewer points a thread are not worth its barriers. */
-export const MIN_POINTS = 1000;
+export const MIN_POINTS = 2000;
 /** Fewer points × steps in all are not worth its start. */
-const MIN_WORK = 20_000_000;
+const MIN_WORK = 50_000_000;
 
 /**
  * How many threads pay for a run: 1 where its forces are not all springs and uniform fields, which alone are summed in
