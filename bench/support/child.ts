@@ -8,7 +8,7 @@ import { properVelocity } from '../../src/physics/lorentz/boost.ts';
 import { perspective } from '../../src/scene/view/lenses/perspectiveLens.ts';
 import type { LoadTask } from '../formats/readers.ts';
 import type { CachePlayback, CacheTask } from '../simulation/cache.ts';
-import { type ClothTask, fallingBy } from '../simulation/dynamics.ts';
+import { type ClothTask, type FallTask, fallingBy, measureFall } from '../simulation/dynamics.ts';
 import { interleaved, median, timed } from './bench.ts';
 import { openRenderer, releaseGpu, SETTINGS } from './gpu.ts';
 import { sphereScene } from './scenes.ts';
@@ -27,6 +27,7 @@ else if (task === 'instances') await instances(argument);
 else if (task === 'cache') await playCache(JSON.parse(argument) as CacheTask);
 else if (task === 'memory') await memory(Number(argument));
 else if (task === 'dynamics') await clothMemory(JSON.parse(argument) as ClothTask);
+else if (task === 'fall') console.log(JSON.stringify(await measureFall(JSON.parse(argument) as FallTask)));
 else throw new Error(`no task ${task}`);
 
 async function load({ file, inMemory, subdivision }: LoadTask): Promise<void> {
@@ -131,7 +132,7 @@ async function memory(samples: number): Promise<void> {
 /** Resident bytes of a cloth, its springs and a method's work arrays. */
 async function clothMemory({ side, method }: ClothTask): Promise<void> {
   const before = await resident();
-  const { fall } = fallingBy(method, side, 1, 1);
+  const { fall } = fallingBy({ method, side, mass: 1, parts: 1 });
   fall();
   console.log(JSON.stringify({ bytes: (await resident()) - before }));
   fall();

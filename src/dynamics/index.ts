@@ -34,6 +34,7 @@ export { type FaceTopology, type MeshStiffness, meshSprings } from './meshSpring
 export { METHODS } from './methods/library.ts';
 export {
   type IntegrationMethod,
+  type SplittingWork,
   StepFailure,
   type StepFailureReason,
   type Stepper,
@@ -60,3 +61,5 @@ export {
   stateAtRest,
   velocities,
 } from './system.ts';
+export { serveTeam, type TeamTask } from './threads/teamHelper.ts';
+export type { TeamThreads } from './threads/threadTeam.ts';

@@ -1,7 +1,7 @@
 import { dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { type LocalizedText, msg } from '../messages/message.ts';
 import { kineticEnergy } from './energy.ts';
-import { type IntegrationMethod, StepFailure, type Stepper } from './methods/method.ts';
+import { type IntegrationMethod, type SplittingWork, StepFailure, type Stepper } from './methods/method.ts';
 import { leapfrog } from './methods/splitting.ts';
 import { momentum, pointAt, pointName, type State, type System } from './system.ts';
 
@@ -17,12 +17,13 @@ export class Integrator {
   /** Energy that drag has taken so far [J]. Settable, for steps that are taken back. */
   dragLoss = 0;
 
-  constructor(system: System, method: IntegrationMethod) {
+  /** `work`: who computes the stages of a splitting; default: this thread. */
+  constructor(system: System, method: IntegrationMethod, work?: SplittingWork) {
     this.system = system;
     // With drag a composition of leapfrogs keeps its order only if each has its own drag; around the whole it would be
     // second order.
     const row = system.drag > 0 ? method.coefficients : undefined;
-    this.stepper = (row ? leapfrog : method).begin(system);
+    this.stepper = (row ? leapfrog : method).begin(system, work);
     this.fractions = row ?? [1];
     this.before = new Float64Array(3 * system.masses.length);
     this.kinematicMomenta = new Float64Array(3 * (system.kinematic?.length ?? 0));
@@ -50,6 +51,18 @@ export class Integrator {
     state.t = end;
     this.placeKinematic(state, end);
     this.assertNotTunneled(state);
+  }
+
+  /**
+   * Takes equal steps at once where nothing happens between them: no drag, no kinematic points, no solids. Returns
+   * whether it did.
+   */
+  takeAtOnce(state: State, h: number, count: number): boolean {
+    const { drag, kinematic = [], forces } = this.system;
+    if (!this.stepper.steps || drag > 0 || kinematic.length > 0) return false;
+    if (forces.some(({ findTunneled }) => findTunneled !== undefined)) return false;
+    this.stepper.steps(state, h, count);
+    return true;
   }
 
   /** Kinematic points move uniformly to their position at the end of the step. */

@@ -5,6 +5,7 @@ import { assertFinite, Integrator } from './integrator.ts';
 import { type IntegrationMethod, StepFailure, type StepFailureReason } from './methods/method.ts';
 import { maxAngularFrequency } from './stability.ts';
 import { assignState, copyState, momenta, type State, type System, SystemError } from './system.ts';
+import { type TeamThreads, ThreadTeam, teamSize } from './threads/threadTeam.ts';
 
 /** What is to be computed. */
 export interface RunOptions {
@@ -36,6 +37,8 @@ export interface RunOptions {
   readonly tolerance?: number;
   /** Whether a run goes on whose steps are too long for its method while its energy grows, to show it; until a point would reach c, or no number is finite. */
   readonly evenUnstable?: boolean;
+  /** Threads for the steps of splittings where they pay; the result is the same to the bit. Not in a page's main thread. */
+  readonly threads?: TeamThreads;
 }
 
 /** What is counted from the start of a run. */
@@ -130,19 +133,31 @@ function maxStepLength({ method, every, step, tolerance }: RunOptions, omega: nu
 export function* integrate(options: RunOptions): Generator<SimulationFrame, EarlyStop | undefined> {
   const course = new FrameBuilder(options);
   const last = copyState(options.start);
-  const advance = advancer(options, course.steps, last);
-  const state = copyState(options.start);
-  yield course.start();
-  while (!course.isDone) {
-    let frame: SimulationFrame;
-    try {
-      frame = course.next(state, advance(state));
-    } catch (error) {
-      return earlyStopFor(error, state.t, last);
+  const team = openTeam(options, course.stepCount);
+  const state = team?.state ?? copyState(options.start);
+  const advance = advancer(options, course.steps, last, team);
+  try {
+    yield course.start();
+    while (!course.isDone) {
+      let frame: SimulationFrame;
+      try {
+        frame = course.next(state, advance(state));
+      } catch (error) {
+        return earlyStopFor(error, state.t, last);
+      }
+      yield frame;
     }
-    yield frame;
+    return undefined;
+  } finally {
+    team?.release();
   }
-  return undefined;
+}
+
+/** Adaptive steps alternate between states, of which a team has one. */
+function openTeam({ system, start, method, tolerance, threads }: RunOptions, steps: number): ThreadTeam | undefined {
+  if (!threads || !method.coefficients || tolerance !== undefined) return undefined;
+  const size = teamSize(system, steps, threads.count);
+  return size > 1 ? new ThreadTeam(system, start, size, threads) : undefined;
 }
 
 /** Makes the frames of a run, for any integrator. */
@@ -157,9 +172,13 @@ export class FrameBuilder {
     this.order = options;
     this.steps = stepSchedule(options);
     this.frames = Math.round(options.duration / options.every);
-    const all = this.frames * this.steps.perFrame;
-    if (!(all <= MAX_STEPS)) throw new RangeError(`${all} steps are too many`);
+    if (!(this.stepCount <= MAX_STEPS)) throw new RangeError(`${this.stepCount} steps are too many`);
     this.first = conservedQuantities(options.system, options.start);
+  }
+
+  /** Of the whole run. */
+  get stepCount(): number {
+    return this.frames * this.steps.perFrame;
   }
 
   get isDone(): boolean {
@@ -197,9 +216,14 @@ export function earlyStopFor(error: unknown, t: number, last?: State): EarlyStop
 const hasFiniteValues = ({ x, p }: State): boolean => x.every(Number.isFinite) && p.every(Number.isFinite);
 
 /** Returns a function that advances a state by one frame and returns the tally; `last` becomes the last state that points reach below the speed of light. */
-function advancer(options: RunOptions, { h, perFrame, stable }: StepSchedule, last: State): (state: State) => RunTally {
+function advancer(
+  options: RunOptions,
+  { h, perFrame, stable }: StepSchedule,
+  last: State,
+  team: ThreadTeam | undefined,
+): (state: State) => RunTally {
   const { system, method, every, tolerance, since, evenUnstable } = options;
-  const mover = new Integrator(system, method);
+  const mover = new Integrator(system, method, team);
   const start = since?.tally ?? NO_STEPS;
   const from = copyState(options.start);
   let { steps } = start;
@@ -220,10 +244,11 @@ function advancer(options: RunOptions, { h, perFrame, stable }: StepSchedule, la
   return (state) => {
     assignState(from, state);
     assignState(last, state);
-    for (let i = 0; i < perFrame; i++) {
-      mover.step(state, h);
-      if (isWithinLight(system, from, state)) assignState(last, state);
-    }
+    if (!stable || !mover.takeAtOnce(state, h, perFrame))
+      for (let i = 0; i < perFrame; i++) {
+        mover.step(state, h);
+        if (isWithinLight(system, from, state)) assignState(last, state);
+      }
     if (evenUnstable && !stable) assertWithinLight(system, from, state);
     steps += perFrame;
     return tally();

@@ -1,4 +1,5 @@
 import { type ComputeGpu, openWebGpu } from '../compute/computeDevice.ts';
+import type { TeamThreads } from '../dynamics/threads/threadTeam.ts';
 import type { ReadFont } from '../formats/font/glyphs.ts';
 import type { ReadOptions } from '../formats/readOptions.ts';
 import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
@@ -45,6 +46,8 @@ export interface Services {
   readonly renderStill: RenderStill;
   /** Opens a GPU for computing; throws a `SystemError` if there is none. */
   readonly openGpu: () => Promise<ComputeGpu>;
+  /** Threads for simulations; absent where memory cannot be shared. */
+  readonly teamThreads?: TeamThreads;
 }
 
 /** Heavy-node threads read nothing and start no threads; their inputs come with the request. */

@@ -31,6 +31,7 @@ import { toJson } from '../terminal/json.ts';
 import { Progress } from '../terminal/progress.ts';
 import { Checkpoint, contentHash, readCheckpoint } from './checkpoint.ts';
 import type { SimulateFlags } from './simulateFlags.ts';
+import { teamThreads } from './teamThreads.ts';
 
 /** Interval at which the event loop runs, for signals and other threads [ms]. */
 const YIELD_INTERVAL = 50;
@@ -116,7 +117,7 @@ async function runWithCheckpoint(
   const saved = openCheckpoint(simulation, matter, params, flags);
   let lastYield = performance.now();
   try {
-    for await (const frame of simulation.run(openDevice)) {
+    for await (const frame of simulation.run({ openGpu: openDevice, teamThreads })) {
       saved?.add(frame);
       progress.frames(simulation.recordedFrames, simulation.frames);
       if (performance.now() - lastYield < YIELD_INTERVAL) continue;

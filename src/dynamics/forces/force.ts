@@ -10,6 +10,12 @@ export interface Force {
   /** sum −= ∇V */
   add(x: Float64Array, sum: Float64Array): void;
   /**
+   * `add` to the points first … end − 1 alone, the same to the bit, bound to its arrays; what it adds to other points is
+   * meaningless. Absent: the force needs all points at once. A function that is bound once in a thread is compiled for
+   * its arrays (docs/adr/0057-threads-of-cloth.md).
+   */
+  bind?(x: Float64Array, sum: Float64Array, first: number, end: number): () => void;
+  /**
    * sum −= ∇̄V, a discrete gradient: ∇̄V(x₀, x₁)·(x₁ − x₀) = V(x₁) − V(x₀) for any two configurations, and ∇V where
    * they coincide. Source: Gonzalez 1996, J. Nonlinear Sci. 6, 449; Hairer, Lubich, Wanner, "Geometric Numerical
    * Integration", §V.5.

@@ -189,3 +189,34 @@ function leadsOut(x: Float64Array, i: number, middle: Vec3, orientation: Quat): 
   const over = [Math.abs(d[0]) - 0.9, Math.abs(d[1]) - 0.6, Math.abs(d[2]) - 1].sort((a, b) => b - a);
   return over[0] > 1e-6 || over[0] - over[1] > 1e-6;
 }
+
+describe('springs', () => {
+  it('sum to the force of each alone, to rounding, whatever the order of their ends', () => {
+    const pairs = fc.array(fc.tuple(fc.nat(POINTS - 1), fc.nat(POINTS - 1)), { minLength: 1, maxLength: 12 });
+    fc.assert(
+      fc.property(places(), pairs, (x, all) => {
+        const ends = all.filter(([a, b]) => a !== b);
+        const [k, L] = [(s: number) => 10 + 7 * s, (s: number) => 0.3 * (s % 4)];
+        const springs = springForce({
+          ends: Uint32Array.from(ends.flat()),
+          stiffness: Float64Array.from(ends, (_, s) => k(s)),
+          lengths: Float64Array.from(ends, (_, s) => L(s)),
+        });
+        const [wanted, size] = [zeros(), zeros()];
+        ends.forEach(([a, b], s) => {
+          const d = [0, 1, 2].map((i) => x[3 * a + i] - x[3 * b + i]);
+          const r = Math.hypot(...d);
+          for (let i = 0; i < 3; i++) {
+            const pull = r > 0 ? (-k(s) * (r - L(s)) * d[i]) / r : 0;
+            wanted[3 * a + i] += pull;
+            wanted[3 * b + i] -= pull;
+            for (const end of [a, b]) size[3 * end + i] += r > 0 ? (k(s) * (r + L(s)) * Math.abs(d[i])) / r : 0;
+          }
+        });
+        forceOf(springs, x).forEach((value, j) => {
+          expect(Math.abs(value - wanted[j])).toBeLessThanOrEqual(8 * Number.EPSILON * size[j]);
+        });
+      }),
+    );
+  });
+});

@@ -9,13 +9,7 @@ import type { Force, Stiffness } from './force.ts';
  * uniformField(Float64Array.of(0.5), [0, -9.81, 0]).energy(Float64Array.of(0, 2, 0)); // 9.81 J
  */
 export function uniformField(amounts: Float64Array, [fx, fy, fz]: Vec3): Force {
-  const add = (sum: Float64Array): void => {
-    for (let i = 0, j = 0; i < amounts.length; i++, j += 3) {
-      sum[j] += amounts[i] * fx;
-      sum[j + 1] += amounts[i] * fy;
-      sum[j + 2] += amounts[i] * fz;
-    }
-  };
+  const add = (sum: Float64Array): void => addField(sum, amounts, fx, fy, fz, 0, amounts.length);
   return {
     data: { kind: 'uniform', amounts, field: [fx, fy, fz] },
     energy(x) {
@@ -25,10 +19,27 @@ export function uniformField(amounts: Float64Array, [fx, fy, fz]: Vec3): Force {
       return sum;
     },
     add: (_, sum) => add(sum),
+    bind: (_, sum, first, end) => () => addField(sum, amounts, fx, fy, fz, first, end),
     addDiscreteGradient: (_, __, sum) => add(sum),
     stiffness: () => NO_STIFFNESS,
     addStiffnessBound: () => {},
   };
+}
+
+function addField(
+  sum: Float64Array,
+  amounts: Float64Array,
+  fx: number,
+  fy: number,
+  fz: number,
+  first: number,
+  end: number,
+): void {
+  for (let i = first, j = 3 * first; i < end; i++, j += 3) {
+    sum[j] += amounts[i] * fx;
+    sum[j + 1] += amounts[i] * fy;
+    sum[j + 2] += amounts[i] * fz;
+  }
 }
 
 const NO_STIFFNESS: Stiffness = { multiply: () => {}, addBlocks: () => {} };

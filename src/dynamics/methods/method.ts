@@ -15,8 +15,16 @@ export interface IntegrationMethod {
    * half of the first and half of the second, and so on.
    */
   readonly coefficients?: readonly number[];
-  /** Prepares it for a system. */
-  begin(system: System): Stepper;
+  /** Prepares it for a system. `work`: who computes the stages of a splitting; default: this thread. */
+  begin(system: System, work?: SplittingWork): Stepper;
+}
+
+/** The stages of a splitting's step, for all points of a system. */
+export interface SplittingWork {
+  /** x += h p/γm; h [s] */
+  drift(state: State, h: number): void;
+  /** p += h F(x), then a drift by `drift` [s]. */
+  kick(state: State, h: number, drift: number): void;
 }
 
 /** A method applied to one system, with its scratch buffers. */
@@ -25,6 +33,11 @@ export interface Stepper {
   readonly corrected?: number;
   /** Advances the state by h [s]. Throws a StepFailure; the state is then invalid. */
   step(state: State, h: number): void;
+  /**
+   * Advances the state by `count` steps of h, cheaper than one by one, and the same but for rounding. Absent: there is
+   * nothing to gain.
+   */
+  steps?(state: State, h: number, count: number): void;
 }
 
 /** Why a step failed. */

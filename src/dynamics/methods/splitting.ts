@@ -1,6 +1,6 @@
-import type { Vec3 } from '../../math/vec3.ts';
-import type { State, System } from '../system.ts';
-import { type IntegrationMethod, potentialForces, type Stepper } from './method.ts';
+import type { State } from '../system.ts';
+import type { IntegrationMethod, SplittingWork, Stepper } from './method.ts';
+import { SplittingRange } from './splittingRange.ts';
 
 /**
  * H = Σ√(p²c² + m²c⁴) + V(x) splits into a part of p and a part of x, each integrated exactly in turn: x drifts at
@@ -17,7 +17,7 @@ const splitting = (id: string, order: number, coefficients: readonly number[]): 
     order,
     conditionallyStable: true,
     coefficients: shares,
-    begin: (system) => new SplittingStepper(system, shares),
+    begin: (system, work = new SplittingRange(system)) => new SplittingStepper(shares, work),
   };
 };
 
@@ -34,82 +34,28 @@ export const yoshida8 = splitting(
 );
 
 class SplittingStepper implements Stepper {
-  private readonly system: System;
   private readonly shares: readonly number[];
-  private readonly force: Float64Array;
+  private readonly work: SplittingWork;
 
-  constructor(system: System, shares: readonly number[]) {
-    this.system = system;
+  constructor(shares: readonly number[], work: SplittingWork) {
     this.shares = shares;
-    this.force = new Float64Array(3 * system.masses.length);
+    this.work = work;
   }
 
-  /** Adjacent drifts between two kicks are merged. */
   step(state: State, h: number): void {
-    const { system, shares, force } = this;
-    this.drift(state, (shares[0] * h) / 2);
-    shares.forEach((share, k) => {
-      potentialForces(system, state.x, force);
-      this.kick(state, share * h);
-      this.drift(state, ((share + (shares[k + 1] ?? 0)) * h) / 2);
-    });
-    state.t += h;
+    this.steps(state, h, 1);
   }
 
-  /** x += h p/γm */
-  private drift({ x, p }: State, h: number): void {
-    const { c, masses } = this.system;
-    const perSquare = 1 / (c * c);
-    for (let i = 0, j = 0; i < masses.length; i++, j += 3) {
-      const px = p[j];
-      const py = p[j + 1];
-      const pz = p[j + 2];
-      const s = h / Math.sqrt(masses[i] * masses[i] + (px * px + py * py + pz * pz) * perSquare);
-      x[j] += s * px;
-      x[j + 1] += s * py;
-      x[j + 2] += s * pz;
-    }
-  }
-
-  /** p += h F at constant x; with a magnetic field in two halves, before and after p rotates. */
-  private kick(state: State, h: number): void {
-    const { charges, magneticField } = this.system;
-    if (!charges || !magneticField) {
-      this.applyForce(state, h);
-      return;
-    }
-    this.applyForce(state, h / 2);
-    this.rotateMomenta(state, h, charges, magneticField);
-    this.applyForce(state, h / 2);
-  }
-
-  private applyForce({ p }: State, h: number): void {
-    const { force } = this;
-    const { pinned } = this.system;
-    for (let i = 0, j = 0; i < pinned.length; i++, j += 3) {
-      if (pinned[i]) continue;
-      p[j] += h * force[j];
-      p[j + 1] += h * force[j + 1];
-      p[j + 2] += h * force[j + 2];
-    }
-  }
-
-  /** dp/dt = q p × B/γm rotates p about −B by q|B|h/γm, exactly. */
-  private rotateMomenta({ p }: State, h: number, charges: Float64Array, B: Vec3): void {
-    const { c: light, masses, pinned } = this.system;
-    const strength = Math.hypot(...B);
-    if (strength === 0) return;
-    const [bx, by, bz] = B.map((value) => value / strength);
-    for (let i = 0, j = 0; i < charges.length; i++, j += 3) {
-      if (pinned[i] || charges[i] === 0) continue;
-      const [x, y, z] = [p[j], p[j + 1], p[j + 2]];
-      const M = Math.sqrt(masses[i] * masses[i] + (x * x + y * y + z * z) / (light * light));
-      const angle = (-charges[i] * strength * h) / M;
-      const [c, s] = [Math.cos(angle), Math.sin(angle)];
-      const along = (1 - c) * (x * bx + y * by + z * bz);
-      p[j] = c * x + s * (by * z - bz * y) + along * bx;
-      p[j + 1] = c * y + s * (bz * x - bx * z) + along * by;
-      p[j + 2] = c * z + s * (bx * y - by * x) + along * bz;
-    }
+  /** Adjacent drifts between two kicks are merged, also of two steps. */
+  steps(state: State, h: number, count: number): void {
+    const { shares, work } = this;
+    const outer = (shares[0] * h) / 2;
+    work.drift(state, outer);
+    for (let left = count; left > 0; left--)
+      shares.forEach((share, k) => {
+        const next = k + 1 < shares.length ? (shares[k + 1] * h) / 2 : left > 1 ? outer : 0;
+        work.kick(state, share * h, (share * h) / 2 + next);
+      });
+    state.t += count * h;
   }
 }

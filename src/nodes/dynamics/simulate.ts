@@ -136,7 +136,7 @@ export const simulateNode = defineNode({
       resume?.reel as RecordedMotion | undefined,
     );
     let lastYield = performance.now();
-    for await (const _ of simulation.run(services.openGpu)) {
+    for await (const _ of simulation.run(services)) {
       progress(simulation.recordedFrames / simulation.frames, 'simulate');
       interim?.(() => ({ ...simulation.outputs() }));
       if (signal && performance.now() - lastYield >= YIELD_INTERVAL) {

@@ -13,6 +13,7 @@ import {
 import type { RunRecord } from '../../dynamics/runRecord.ts';
 import { energyFaultMessage, summarizeRun } from '../../dynamics/runSummary.ts';
 import { type State, SystemError, withPointName } from '../../dynamics/system.ts';
+import type { TeamThreads } from '../../dynamics/threads/threadTeam.ts';
 import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
@@ -100,13 +101,16 @@ export class Simulation {
    * Computes further frames, one per iteration; `openGpu` opens the device if steps are to run on a GPU. Throws a
    * NodeRefusal if that fails.
    */
-  async *run(openGpu: Services['openGpu']): AsyncGenerator<SimulationFrame, void> {
+  async *run({
+    openGpu,
+    teamThreads,
+  }: Pick<Services, 'openGpu' | 'teamThreads'>): AsyncGenerator<SimulationFrame, void> {
     if (this.recordedFrames === this.frames) return;
     let gpu: ComputeGpu | undefined;
     try {
       if (this.settings.onGpu) gpu = await openGpu();
       this.onSoftware = gpu?.software ?? false;
-      yield* this.runRemaining(gpu?.device);
+      yield* this.runRemaining(gpu?.device, teamThreads);
     } catch (error) {
       throw error instanceof SystemError ? gpuRefusal(this.node, error) : error;
     } finally {
@@ -114,7 +118,10 @@ export class Simulation {
     }
   }
 
-  private async *runRemaining(device: GPUDevice | undefined): AsyncGenerator<SimulationFrame, void> {
+  private async *runRemaining(
+    device: GPUDevice | undefined,
+    threads: TeamThreads | undefined,
+  ): AsyncGenerator<SimulationFrame, void> {
     const { runOptions: options, recorder } = this;
     const { length } = recorder;
     const { state: start, tally } = recorder.latest;
@@ -126,6 +133,7 @@ export class Simulation {
       since,
       duration: left,
       start: { ...start, t: since.t + done * options.every },
+      ...(threads && { threads }),
     };
     const running = device ? runOnGpu(device, rest) : integrate(rest);
     try {
