@@ -46,7 +46,7 @@ export class AutoExposure {
   private unmeasured: (MeteredPicture & { readonly content: string }) | undefined;
   /** The last picture whose measurement has begun. */
   private measured = { content: '', detail: 0 };
-  private isMeasuring = false;
+  isMeasuring = false;
   /** Generation, incremented by `reset`. */
   private generation = 0;
   private lastMeasurement = Number.NEGATIVE_INFINITY;

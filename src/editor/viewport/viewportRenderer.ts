@@ -216,17 +216,17 @@ export class ViewportRenderer {
     const { frameRate } = this.editor.store.getState();
     // How long the last frame took does not depend on how many are left out.
     this.frameTime ??= now - (this.lastTick ?? now);
-    if (frameRate && !this.frameCap.passes(now, frameRate)) return;
+    if (this.isMetering || (frameRate && !this.frameCap.passes(now, frameRate))) return;
     const interval = now - (this.lastTick ?? now);
-    const { frameTime } = this;
-    this.frameTime = undefined;
     this.lastTick = now;
     this.followPicture();
     const step = Math.min(MAX_FLIGHT_STEP, interval / 1000);
     if (!this.isWaiting) this.observerController.advance(step);
     // If the device was lost, the next generation measures.
     this.autoExposure.advance(step, now)?.catch(() => {});
-    this.resolution.recordFrame(this.draw(false), now, frameTime);
+    if (this.isMetering) return;
+    this.resolution.recordFrame(this.draw(false), now, this.frameTime);
+    this.frameTime = undefined;
     if (this.resolution.scale !== this.scale) {
       this.scale = this.resolution.scale;
       this.resize();
@@ -238,6 +238,14 @@ export class ViewportRenderer {
     const picture = { triangles: this.displayed ? triangles : 0, tolerance, drawn, shading };
     const waits = { waiting: this.isWaiting, preparing: this.compiling, outside };
     updateTelemetry(this.observerController.observer, { ...picture, ...waits }, now);
+  }
+
+  /**
+   * Whether light is being read where pictures take long. The next one waits: what is read would be blocked by it, and
+   * the page too.
+   */
+  private get isMetering(): boolean {
+    return this.autoExposure.isMeasuring && !this.resolution.fullQuality;
   }
 
   /**

@@ -5,6 +5,7 @@ import type { DataAov } from '../../scene/view/view.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
 import { unpackGBufferNormal } from '../gpu/packNormal.ts';
+import { type RawPixels, readWebGl } from '../gpu/webglReadback.ts';
 import type { PickedSurface, PickResult } from '../settings.ts';
 import type { GBuffer } from './gbuffer.ts';
 import type { TargetName } from './surface.ts';
@@ -29,18 +30,17 @@ export async function readBytes(gpu: Gpu, target: RenderTarget, region: PixelRec
   return new Uint8Array(raw.buffer, raw.byteOffset, raw.byteLength);
 }
 
-type Raw = Float32Array | Uint16Array | Uint8Array;
-
-async function readRaw(gpu: Gpu, target: RenderTarget, index: number, region: PixelRect): Promise<Raw> {
-  const { x, width, height } = region;
-  const fromBottom = gpu.backend === 'webgl';
-  const y = fromBottom ? target.height - region.y - height : region.y;
-  const raw = (await gpu.renderer.readRenderTargetPixelsAsync(target, x, y, width, height, index)) as Raw;
-  if (fromBottom) flipRows(raw, height);
+async function readRaw(gpu: Gpu, target: RenderTarget, index: number, region: PixelRect): Promise<RawPixels> {
+  const { x, y, width, height } = region;
+  if (gpu.backend !== 'webgl')
+    return (await gpu.renderer.readRenderTargetPixelsAsync(target, x, y, width, height, index)) as RawPixels;
+  const fromBottom = { ...region, y: target.height - y - height };
+  const raw = await readWebGl(gpu.renderer, target.textures[index]!, fromBottom);
+  flipRows(raw, height);
   return raw;
 }
 
-function flipRows(pixels: Raw, rows: number): void {
+function flipRows(pixels: RawPixels, rows: number): void {
   const row = pixels.length / rows;
   for (let top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
     const topRow = pixels.slice(top * row, (top + 1) * row);

@@ -42,7 +42,6 @@ export class LightMeter {
     this.passes.set(key, pass);
     this.size.value.set(width, height);
     pass.render(this.gpu.renderer, this.target);
-    await gpuFinished(this.gpu);
     const texels = await readFloats(this.gpu, this.target, 0, { x: 0, y: 0, width: METER_CELLS, height: METER_CELLS });
     const channel = (k: number, scale: number) =>
       Float32Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
@@ -73,19 +72,4 @@ export class LightMeter {
     for (const pass of this.passes.values()) pass.dispose();
     this.target.dispose();
   }
-}
-
-/** Interval at which the fence is polled [ms]. */
-const POLL_INTERVAL = 4;
-
-/** Resolves when WebGL has drawn: reading earlier would block the page. */
-async function gpuFinished({ renderer, backend }: Gpu): Promise<void> {
-  if (backend !== 'webgl') return;
-  const gl = renderer.getContext() as WebGL2RenderingContext;
-  const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-  if (!sync) return;
-  gl.flush();
-  do await new Promise((resolve) => setTimeout(resolve, POLL_INTERVAL));
-  while (!gl.isContextLost() && gl.getSyncParameter(sync, gl.SYNC_STATUS) !== gl.SIGNALED);
-  gl.deleteSync(sync);
 }
