@@ -28,8 +28,9 @@ export function openReferenceSession(
   { scenes, size, speedOfLight, options }: SessionRequest<ReferenceOptions>,
   { threads: host }: PipelineHost,
 ): PipelineSession {
-  const { seed, bounces, mirrors, glass } = options;
+  const { seed, bounces, mirrors, glass, noiseThreshold, minSamples } = options;
   const light = { bounces, mirrors, glass };
+  const adaptive = noiseThreshold > 0 && { adaptive: { noiseThreshold, minSamples } };
   const threads = Math.min(options.threads ?? host.count(scenes[0]), tilesOf(size).length);
   const pools = new TracerPools(scenes, threads, host);
   // Started now, because threads take a while to start.
@@ -45,7 +46,7 @@ export function openReferenceSession(
             throw new PipelineRefusal(
               msg`a ghost, and past and future apart, are drawn by the rasterizer only: switch them off`,
             );
-          const request = { width, height, samples, seed, light };
+          const request = { width, height, samples, ...adaptive, seed, light };
           const draw: TraceLayers = (scene, own, layers, onLayers) => {
             const from = drawnFrom(view, own);
             const pool = pools.of(scene, own.speedOfLight);

@@ -38,14 +38,16 @@ export function renderTile(scene: TracedScene, request: TileRequest, tile: Image
   const data: TileData = {};
   const pixels = (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
   for (const layer of request.layers) data[layer] = new Float32Array(pixels * channelsOf(layer));
-  if (data.beauty || data.picture) fillBeauty(scene, request, tile, data);
+  if (data.beauty || data.picture || data.sample_count) fillBeauty(scene, request, tile, data);
   fillData(scene, request, tile, data);
   return data;
 }
 
 function fillData(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: ImageTile, data: TileData): void {
   const { view, settings, width, height, layers } = request;
-  const named = layers.filter((layer): layer is DataAov => layer !== 'beauty' && layer !== 'picture');
+  const named = layers.filter(
+    (layer): layer is DataAov => layer !== 'beauty' && layer !== 'picture' && layer !== 'sample_count',
+  );
   if (named.length === 0) return;
   const readers = named.map((name) => ({ read: aovReader(name, scene, view.u, settings), out: data[name] }));
   for (let y = y0; y < y1; y++)

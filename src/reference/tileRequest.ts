@@ -1,5 +1,6 @@
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import type { LightOptions } from './lights/lightOptions.ts';
+import type { AdaptiveSampling } from './sampling/adaptiveSampling.ts';
 
 /** AOVs, and `picture`: the beauty exposed and tone mapped, linear sRGB 0 … 1 (`encodeDisplay` encodes it). */
 export type OutputLayer = AovName | 'picture';
@@ -16,8 +17,10 @@ export interface TileRequest {
   readonly height: number;
   /** What to compute. */
   readonly layers: readonly OutputLayer[];
-  /** n, for n × n samples per pixel of `beauty` and `picture`. */
+  /** n, for n × n samples per pixel of `beauty` and `picture`; at most that many with adaptive sampling. */
   readonly samples: number;
+  /** Fewer samples where there is little noise. Absent: every pixel has n × n. */
+  readonly adaptive?: AdaptiveSampling;
   /** The same seed gives the same noise. */
   readonly seed: number;
   /** How light is followed. */
