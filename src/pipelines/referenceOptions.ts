@@ -50,6 +50,16 @@ export const REFERENCE_OPTIONS = {
       help: msg`With a noise threshold: n × n samples per pixel at least. More find what is small and bright.`,
     },
   },
+  denoise: {
+    kind: 'boolean',
+    default: false,
+    help: msg`removes what is left of the noise by Open Image Denoise's network: few samples are enough, fine detail of shadows and reflections may be lost`,
+    changesPicture: false,
+    param: {
+      title: msg`Denoise`,
+      help: msg`Removes what is left of the noise by Open Image Denoise’s network. Few samples are enough; fine detail of shadows and reflections may be lost.`,
+    },
+  },
   bounces: {
     kind: 'integer',
     min: 0,

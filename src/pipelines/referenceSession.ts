@@ -1,13 +1,13 @@
-import { type Vec3, ZERO } from '../math/vec3.ts';
 import { msg } from '../messages/message.ts';
+import { denoiseWithPool } from '../reference/denoise/denoiseWithPool.ts';
 import { prepareScene } from '../reference/intersection/tracedScene.ts';
 import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
 import { aovsOfFrameGraph, type CapturedBuffers, evaluateFrameGraph } from '../reference/post/frameGraph.ts';
-import type { OutputLayer } from '../reference/tileRequest.ts';
+import type { OutputLayer, TileRequest } from '../reference/tileRequest.ts';
 import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts';
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { withDomePicture } from '../scene/film/seenFilm.ts';
-import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
+import { backdropColors, sceneNightSky, upVector } from '../scene/lights/sceneLights.ts';
 import type { DomePicture, Scene } from '../scene/types.ts';
 import { drawnFrom } from '../scene/view/drawnFrom.ts';
 import { lensDirection } from '../scene/view/lenses/lenses.ts';
@@ -28,7 +28,7 @@ export function openReferenceSession(
   { scenes, size, speedOfLight, options }: SessionRequest<ReferenceOptions>,
   { threads: host }: PipelineHost,
 ): PipelineSession {
-  const { seed, bounces, mirrors, glass, noiseThreshold, minSamples } = options;
+  const { seed, bounces, mirrors, glass, noiseThreshold, minSamples, denoise } = options;
   const light = { bounces, mirrors, glass };
   const adaptive = noiseThreshold > 0 && { adaptive: { noiseThreshold, minSamples } };
   const threads = Math.min(options.threads ?? host.count(scenes[0]), tilesOf(size).length);
@@ -50,11 +50,14 @@ export function openReferenceSession(
           const draw: TraceLayers = (scene, own, layers, onLayers) => {
             const from = drawnFrom(view, own);
             const pool = pools.of(scene, own.speedOfLight);
-            return renderWithPool(pool, { ...request, view: from, settings: own, layers }, onLayers);
+            const all = { ...request, view: from, settings: own, layers };
+            return denoise
+              ? renderDenoised(pool, all, sceneNightSky(scenes[scene] ?? scenes[0]) !== undefined, onLayers)
+              : renderWithPool(pool, all, onLayers);
           };
           return settings.frameGraph
             ? renderFrameGraph(settings, { view, width, height, scenes, pixels, aovs, draw }, onPart)
-            : renderLayers(settings, { width, height, pixels, aovs, draw }, onPart);
+            : renderLayers(settings, { view, width, height, pixels, aovs, draw, denoise }, onPart);
         },
         onProgress,
       ),
@@ -62,6 +65,27 @@ export function openReferenceSession(
     stop: (error) => pools.stop(error),
     close: () => pools.close(),
   };
+}
+
+/** Share of the progress that is rendering, if denoising follows. */
+const RENDERING = 0.9;
+
+/** As `renderWithPool`; the beauty is denoised. `hasStars`: see `denoiseWithPool`. */
+async function renderDenoised(
+  pool: TracerPool,
+  request: TileRequest,
+  hasStars: boolean,
+  onProgress: (fraction: number) => void = () => {},
+): Promise<Map<OutputLayer, Float32Array<ArrayBuffer>>> {
+  const { layers } = request;
+  if (!layers.includes('beauty')) return renderWithPool(pool, request, onProgress);
+  const all = [...new Set<OutputLayer>([...layers, 'albedo', 'normal'])];
+  const images = await renderWithPool(pool, { ...request, layers: all }, (part) => onProgress(RENDERING * part));
+  const [beauty, albedo, normal] = (['beauty', 'albedo', 'normal'] as const).map((name) => images.get(name)!);
+  const clean = await denoiseWithPool(pool, { beauty, albedo, normal, hasStars }, request, (part) =>
+    onProgress(RENDERING + (1 - RENDERING) * part),
+  );
+  return images.set('beauty', clean);
 }
 
 /** Starts threads that render a scene with one speed of light [m/s] and share its prepared data. */
@@ -119,6 +143,7 @@ type TraceLayers = (
 ) => Promise<Map<OutputLayer, Float32Array>>;
 
 interface LayerRequest extends PictureSize {
+  readonly view: ViewPoint;
   readonly pixels: boolean;
   readonly aovs: readonly AovName[];
   readonly draw: TraceLayers;
@@ -126,26 +151,23 @@ interface LayerRequest extends PictureSize {
 
 async function renderLayers(
   settings: RenderSettings,
-  { width, height, pixels, aovs, draw }: LayerRequest,
+  { view, width, height, pixels, aovs, draw, denoise }: LayerRequest & { readonly denoise: boolean },
   onPart?: (part: number) => void,
 ): Promise<RenderedPicture> {
-  const images = await draw(0, settings, pixels ? [...aovs, 'picture'] : aovs, onPart);
-  const picture = images.get('picture');
+  // Light is denoised before it is tone mapped, so that noise does not darken it.
+  const shown = denoise ? 'beauty' : 'picture';
+  if (pixels && denoise && settings.grid)
+    throw new PipelineRefusal(msg`the grid would be denoised with the picture: switch off the grid, or the denoiser`);
+  const images = await draw(0, settings, pixels ? [...new Set<OutputLayer>([...aovs, shown])] : aovs, onPart);
+  const layer = pixels ? images.get(shown) : undefined;
+  const picture = layer && denoise ? displayed(layer, view, settings, { width, height }) : layer;
   return { pixels: picture ? encodeDisplay(picture, width, height) : new Uint8Array(), aovs: aovData(images, aovs) };
 }
 
 /** Evaluates the frame graph on the mean of the light's samples and on AOVs of the pixels' centres; tone mapping comes last. */
 async function renderFrameGraph(
   settings: RenderSettings,
-  {
-    width,
-    height,
-    pixels,
-    aovs,
-    draw,
-    view,
-    scenes,
-  }: LayerRequest & { readonly view: ViewPoint; readonly scenes: PictureScenes },
+  { width, height, pixels, aovs, draw, view, scenes }: LayerRequest & { readonly scenes: PictureScenes },
   onPart: (part: number) => void = () => {},
 ): Promise<RenderedPicture> {
   const { frameGraph } = settings;
@@ -169,14 +191,26 @@ async function renderFrameGraph(
   const beauty = Float32Array.from(light.values);
   const requested = new Map(aovs.map((name) => [name, name === 'beauty' ? beauty : captured[0]!.aovs.get(name)!]));
   if (!pixels) return { pixels: new Uint8Array(), aovs: requested };
+  const display = displayed(light.values, view, settings, { width, height });
+  return { pixels: encodeDisplay(display, width, height), aovs: requested };
+}
+
+/** The tone-mapped picture of light, 3 values per pixel. Blurs reach beyond what a lens shows. */
+function displayed(
+  light: ArrayLike<number>,
+  view: ViewPoint,
+  settings: RenderSettings,
+  size: PictureSize,
+): Float32Array {
   const { lens } = drawnFrom(view, settings);
-  // Blurs reach beyond what a lens shows.
-  const display = light.map((x, y) =>
-    lensDirection(lens, x + 0.5, y + 0.5, { width, height })
-      ? toneMap(light.at(x, y) as unknown as Vec3, settings.exposure, settings.tone)
-      : ZERO,
-  );
-  return { pixels: encodeDisplay(Float32Array.from(display.values), width, height), aovs: requested };
+  const display = new Float32Array(light.length);
+  for (let y = 0; y < size.height; y++)
+    for (let x = 0; x < size.width; x++) {
+      if (!lensDirection(lens, x + 0.5, y + 0.5, size)) continue;
+      const i = 3 * (y * size.width + x);
+      display.set(toneMap([light[i]!, light[i + 1]!, light[i + 2]!], settings.exposure, settings.tone), i);
+    }
+  return display;
 }
 
 const aovData = (
