@@ -8,6 +8,7 @@ import { diagram } from './page/diagram.ts';
 import { graph } from './page/graph.ts';
 import { graphPage } from './page/graphPage.ts';
 import { page } from './page/page.ts';
+import { noise } from './reference/noise.ts';
 import { reference } from './reference/reference.ts';
 import { antialiasing } from './rendering/antialiasing.ts';
 import { capture } from './rendering/capture.ts';
@@ -51,6 +52,7 @@ const benches: readonly Bench[] = [
   instances,
   cache,
   reference,
+  noise,
   dynamics,
   computing,
   graph,

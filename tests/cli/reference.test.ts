@@ -140,6 +140,31 @@ test('adaptive sampling: samples between the least and the most, the same bits b
   expect(new Set(counts(all).data)).toEqual(new Set([36]));
 });
 
+test('denoised pictures have the same bits by any number of threads, and other noise; the grid is refused', async () => {
+  const draw = async (name: string, ...flags: string[]): Promise<Float32Array> => {
+    const file = out(name);
+    const how = [...size, ...flight, '--pipeline', 'reference', '--samples', '1'];
+    const { code, err } = await slowlight('render', movers, '-o', file, ...how, ...flags);
+    expect(code, err).toBe(0);
+    const { channels } = readExr(new Uint8Array(readFileSync(file)), file);
+    expect(channels.map(({ name }) => name).sort()).toEqual(['B', 'G', 'R']);
+    return channels.find((channel) => channel.name === 'G')!.data as Float32Array;
+  };
+  const [one, two, noisy] = await Promise.all([
+    draw('denoised1.exr', '--denoise', '--threads', '1'),
+    draw('denoised2.exr', '--denoise', '--threads', '2'),
+    draw('noisy.exr'),
+  ]);
+  expect(one).toEqual(two);
+  expect(one).not.toEqual(noisy);
+  const sum = (values: Float32Array): number => values.reduce((all, value) => all + value, 0);
+  expect(sum(one) / sum(noisy)).toBeCloseTo(1, 1);
+  const grid = ['--pipeline', 'reference', '--samples', '1', '--denoise', '--grid'];
+  const { code, err } = await slowlight('render', movers, '-o', out('grid.png'), ...size, ...grid);
+  expect(code).not.toBe(0);
+  expect(err).toMatch(/the grid would be denoised/);
+});
+
 test.each([
   [['--noise-threshold', '-0.1', '--pipeline', 'reference'], /--noise-threshold.*-0\.1.*number from 0 to 1/],
   [['--min-samples', '17', '--pipeline', 'reference'], /--min-samples.*17.*whole number, 1 to 16/],
