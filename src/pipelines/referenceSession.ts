@@ -10,7 +10,7 @@ import { withDomePicture } from '../scene/film/seenFilm.ts';
 import { backdropColors, sceneNightSky, upVector } from '../scene/lights/sceneLights.ts';
 import type { DomePicture, Scene } from '../scene/types.ts';
 import { drawnFrom } from '../scene/view/drawnFrom.ts';
-import { lensDirection } from '../scene/view/lenses/lenses.ts';
+import { type Lens, lensDirection } from '../scene/view/lenses/lenses.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import { type AovName, bufferSettings, type RenderSettings, type ViewPoint } from '../scene/view/view.ts';
 import { toneMap } from '../spectrum/display/toneMap.ts';
@@ -57,7 +57,7 @@ export function openReferenceSession(
           };
           return settings.frameGraph
             ? renderFrameGraph(settings, { view, width, height, scenes, pixels, aovs, draw }, onPart)
-            : renderLayers(settings, { view, width, height, pixels, aovs, draw, denoise }, onPart);
+            : renderLayers(settings, { width, height, pixels, aovs, draw }, onPart);
         },
         onProgress,
       ),
@@ -70,22 +70,26 @@ export function openReferenceSession(
 /** Share of the progress that is rendering, if denoising follows. */
 const RENDERING = 0.9;
 
-/** As `renderWithPool`; the beauty is denoised. `hasStars`: see `denoiseWithPool`. */
+/** As `renderWithPool`; the light is denoised. `hasStars`: see `denoiseWithPool`. */
 async function renderDenoised(
   pool: TracerPool,
   request: TileRequest,
   hasStars: boolean,
   onProgress: (fraction: number) => void = () => {},
 ): Promise<Map<OutputLayer, Float32Array<ArrayBuffer>>> {
-  const { layers } = request;
-  if (!layers.includes('beauty')) return renderWithPool(pool, request, onProgress);
-  const all = [...new Set<OutputLayer>([...layers, 'albedo', 'normal'])];
-  const images = await renderWithPool(pool, { ...request, layers: all }, (part) => onProgress(RENDERING * part));
-  const [beauty, albedo, normal] = (['beauty', 'albedo', 'normal'] as const).map((name) => images.get(name)!);
-  const clean = await denoiseWithPool(pool, { beauty, albedo, normal, hasStars }, request, (part) =>
+  const { layers, settings } = request;
+  if (!layers.includes('beauty') && !layers.includes('picture')) return renderWithPool(pool, request, onProgress);
+  if (layers.includes('picture') && settings.grid)
+    throw new PipelineRefusal(msg`the grid would be denoised with the picture: switch off the grid, or the denoiser`);
+  const noisy = { ...request, layers: [...layers, 'denoiser_input'] } as const;
+  const images = await renderWithPool(pool, noisy, (part) => onProgress(RENDERING * part));
+  const values = images.get('denoiser_input')!;
+  const clean = await denoiseWithPool(pool, { values, hasStars }, request, (part) =>
     onProgress(RENDERING + (1 - RENDERING) * part),
   );
-  return images.set('beauty', clean);
+  // Light is denoised before it is tone mapped, so that noise does not darken it.
+  if (layers.includes('picture')) images.set('picture', displayed(clean, request.view.lens, settings, request));
+  return layers.includes('beauty') ? images.set('beauty', clean) : images;
 }
 
 /** Starts threads that render a scene with one speed of light [m/s] and share its prepared data. */
@@ -143,7 +147,6 @@ type TraceLayers = (
 ) => Promise<Map<OutputLayer, Float32Array>>;
 
 interface LayerRequest extends PictureSize {
-  readonly view: ViewPoint;
   readonly pixels: boolean;
   readonly aovs: readonly AovName[];
   readonly draw: TraceLayers;
@@ -151,23 +154,26 @@ interface LayerRequest extends PictureSize {
 
 async function renderLayers(
   settings: RenderSettings,
-  { view, width, height, pixels, aovs, draw, denoise }: LayerRequest & { readonly denoise: boolean },
+  { width, height, pixels, aovs, draw }: LayerRequest,
   onPart?: (part: number) => void,
 ): Promise<RenderedPicture> {
-  // Light is denoised before it is tone mapped, so that noise does not darken it.
-  const shown = denoise ? 'beauty' : 'picture';
-  if (pixels && denoise && settings.grid)
-    throw new PipelineRefusal(msg`the grid would be denoised with the picture: switch off the grid, or the denoiser`);
-  const images = await draw(0, settings, pixels ? [...new Set<OutputLayer>([...aovs, shown])] : aovs, onPart);
-  const layer = pixels ? images.get(shown) : undefined;
-  const picture = layer && denoise ? displayed(layer, view, settings, { width, height }) : layer;
+  const images = await draw(0, settings, pixels ? [...aovs, 'picture'] : aovs, onPart);
+  const picture = images.get('picture');
   return { pixels: picture ? encodeDisplay(picture, width, height) : new Uint8Array(), aovs: aovData(images, aovs) };
 }
 
 /** Evaluates the frame graph on the mean of the light's samples and on AOVs of the pixels' centres; tone mapping comes last. */
 async function renderFrameGraph(
   settings: RenderSettings,
-  { width, height, pixels, aovs, draw, view, scenes }: LayerRequest & { readonly scenes: PictureScenes },
+  {
+    width,
+    height,
+    pixels,
+    aovs,
+    draw,
+    view,
+    scenes,
+  }: LayerRequest & { readonly view: ViewPoint; readonly scenes: PictureScenes },
   onPart: (part: number) => void = () => {},
 ): Promise<RenderedPicture> {
   const { frameGraph } = settings;
@@ -191,18 +197,17 @@ async function renderFrameGraph(
   const beauty = Float32Array.from(light.values);
   const requested = new Map(aovs.map((name) => [name, name === 'beauty' ? beauty : captured[0]!.aovs.get(name)!]));
   if (!pixels) return { pixels: new Uint8Array(), aovs: requested };
-  const display = displayed(light.values, view, settings, { width, height });
+  const display = displayed(light.values, drawnFrom(view, settings).lens, settings, { width, height });
   return { pixels: encodeDisplay(display, width, height), aovs: requested };
 }
 
 /** The tone-mapped picture of light, 3 values per pixel. Blurs reach beyond what a lens shows. */
 function displayed(
   light: ArrayLike<number>,
-  view: ViewPoint,
+  lens: Lens,
   settings: RenderSettings,
   size: PictureSize,
-): Float32Array {
-  const { lens } = drawnFrom(view, settings);
+): Float32Array<ArrayBuffer> {
   const display = new Float32Array(light.length);
   for (let y = 0; y < size.height; y++)
     for (let x = 0; x < size.width; x++) {

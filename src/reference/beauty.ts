@@ -8,7 +8,7 @@ import { dopplerOfHit } from './aov.ts';
 import { cameraRay } from './camera/cameraRay.ts';
 import { groundGrid, type Overlay } from './camera/groundGrid.ts';
 import { visibleHit } from './camera/visibleHit.ts';
-import { DisplayPixel } from './displayPixel.ts';
+import { DisplayPixel, meanWithoutFireflies } from './displayPixel.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
 import { materialOf } from './materials/material.ts';
 import { surfaceAt } from './materials/surface.ts';
@@ -19,10 +19,11 @@ import { starField } from './starField.ts';
 import type { ImageTile, TileRequest } from './tileRequest.ts';
 import { radiance } from './transport/path.ts';
 
-/** Receive the means of a tile's samples, 3 values per pixel, and their number; absent where a layer is not requested. */
+/** Receive the means of a tile's samples, and their number; absent where a layer is not requested. */
 export interface BeautyBuffers {
   readonly beauty?: Float32Array;
   readonly picture?: Float32Array;
+  readonly denoiser_input?: Float32Array;
   readonly sample_count?: Float32Array;
 }
 
@@ -42,7 +43,7 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
   const counts = adaptive ? sampleCounts(adaptive, n) : [n * n];
   const side = adaptive ? BLOCK : 1;
   const sampled = wholeBlocks(tile, side, width, height);
-  const sampler = pixelSampler(scene, request, sampled, means.picture !== undefined);
+  const sampler = pixelSampler(scene, request, sampled, means);
   for (const block of blocksOf(sampled, side)) {
     const pixels = blocksOf(block, 1).map(({ x0: x, y0: y }) => ({ x, y, take: sampler(x, y), samples: noSamples() }));
     for (const count of counts) {
@@ -54,6 +55,7 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
       const pixel = (y - tile.y0) * (tile.x1 - tile.x0) + (x - tile.x0);
       means.beauty?.set(meanLight(samples), 3 * pixel);
       means.picture?.set(displayed(samples, settings), 3 * pixel);
+      means.denoiser_input?.set(denoiserInput(samples, settings, means.picture !== undefined), 9 * pixel);
       means.sample_count?.fill(samples.length, pixel, pixel + 1);
     }
   }
@@ -74,22 +76,24 @@ function blocksOf(tile: ImageTile, side: number): ImageTile[] {
   return blocks;
 }
 
-/** A sample of a pixel: its light, what its ray meets (undefined: the sky), and what is drawn over it. */
+/** A sample of a pixel: its light, what its ray meets (undefined: the sky), what is drawn over it, and its surface for the denoiser. */
 interface PixelSample {
   readonly light: Vec3;
   readonly object: number | undefined;
   readonly overlays: readonly Overlay[];
+  readonly albedo: Vec3;
+  readonly normal: Vec3;
 }
 
-const NOTHING: PixelSample = { light: ZERO, object: undefined, overlays: [] };
+const NOTHING: PixelSample = { light: ZERO, object: undefined, overlays: [], albedo: ZERO, normal: ZERO };
 const noSamples = (): PixelSample[] => [];
 
-/** Returns what takes sample i of a pixel. `isDisplayed`: with what the displayed picture needs. */
+/** Returns what takes sample i of a pixel, with what the requested layers need. */
 function pixelSampler(
   scene: TracedScene,
   request: TileRequest,
   tile: ImageTile,
-  isDisplayed: boolean,
+  { picture, denoiser_input: guided }: BeautyBuffers,
 ): (x: number, y: number) => (i: number) => PixelSample {
   const { view, settings, width, height, samples: n, seed, light } = request;
   const overlays = overlaysOf(scene, request);
@@ -105,19 +109,29 @@ function pixelSampler(
       if (!ray) return NOTHING;
       const gathered = radiance(scene, ray, view, settings, light, random, createSensor(random));
       const arrived = stars ? add(gathered, stars(ray, px, py)) : gathered;
-      if (!isDisplayed) return { ...NOTHING, light: arrived };
+      const hit = guided && visibleHit(scene, ray);
+      const { albedo, normal } = hit ? surfaceAt(scene, hit) : NOTHING;
+      if (!picture) return { ...NOTHING, light: arrived, albedo, normal };
       // One sample has nothing to be averaged with.
       const object = n > 1 ? visibleHit(scene, ray, 'hit')?.object : undefined;
-      return { light: arrived, object, overlays: overlays(ray, px, py) };
+      return { light: arrived, object, overlays: overlays(ray, px, py), albedo, normal };
     };
   };
 }
 
-const meanLight = (samples: readonly PixelSample[]): Vec3 =>
-  scale(
-    samples.reduce((sum, { light }) => add(sum, light), ZERO),
-    1 / samples.length,
-  );
+function mean(samples: readonly PixelSample[], of: 'light' | 'albedo' | 'normal'): Vec3 {
+  let sum: Vec3 = ZERO;
+  for (const sample of samples) sum = add(sum, sample[of]);
+  return scale(sum, 1 / samples.length);
+}
+
+const meanLight = (samples: readonly PixelSample[]): Vec3 => mean(samples, 'light');
+
+function denoiserInput(samples: readonly PixelSample[], settings: RenderSettings, isDisplayed: boolean): number[] {
+  const lights = samples.map(({ light }) => light);
+  const light = isDisplayed ? meanWithoutFireflies(lights, settings) : meanLight(samples);
+  return [...light, ...mean(samples, 'albedo'), ...mean(samples, 'normal')];
+}
 
 /** Linear sRGB to display. */
 function displayed(samples: readonly PixelSample[], settings: RenderSettings): Vec3 {

@@ -2,8 +2,11 @@ import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import type { LightOptions } from './lights/lightOptions.ts';
 import type { AdaptiveSampling } from './sampling/adaptiveSampling.ts';
 
-/** AOVs, and `picture`: the beauty exposed and tone mapped, linear sRGB 0 … 1 (`encodeDisplay` encodes it). */
-export type OutputLayer = AovName | 'picture';
+/**
+ * AOVs; `picture`: the beauty exposed and tone mapped, linear sRGB 0 … 1 (`encodeDisplay` encodes it); `denoiser_input`: light, albedo and normal, means
+ * over a pixel's samples, the light without fireflies if the picture is requested, too.
+ */
+export type OutputLayer = AovName | 'picture' | 'denoiser_input';
 
 /** The description of a picture to render. */
 export interface TileRequest {

@@ -10,7 +10,7 @@ export interface FeatureMap {
 export const emptyChannel = (width: number, height: number): Float32Array =>
   new Float32Array((width + 2) * (height + 2));
 
-export interface Layer {
+export interface ConvolutionLayer {
   /** Output channels, input channels, 3, 3. */
   readonly weight: Tensor;
   readonly bias: Tensor;
@@ -20,7 +20,7 @@ export interface Layer {
 const AT_A_TIME = 4;
 
 /** max(0, W ∗ x + b): a convolution by 3 × 3 with zeros around the image, and a rectified linear unit. */
-export function convolve({ width, height, channels }: FeatureMap, { weight, bias }: Layer): FeatureMap {
+export function convolve({ width, height, channels }: FeatureMap, { weight, bias }: ConvolutionLayer): FeatureMap {
   const [count, inputs] = weight.dims as readonly [number, number];
   if (inputs !== channels.length) throw new Error(`${channels.length} channels for ${inputs} of a layer`);
   const padded = AT_A_TIME * Math.ceil(count / AT_A_TIME);
