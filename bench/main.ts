@@ -8,7 +8,9 @@ import { diagram } from './page/diagram.ts';
 import { firstPicture } from './page/firstPicture.ts';
 import { graph } from './page/graph.ts';
 import { graphPage } from './page/graphPage.ts';
+import { page } from './page/page.ts';
 import { weak } from './page/weak.ts';
+import { noise } from './reference/noise.ts';
 import { reference } from './reference/reference.ts';
 import { antialiasing } from './rendering/antialiasing.ts';
 import { capture } from './rendering/capture.ts';
@@ -52,6 +54,7 @@ const benches: readonly Bench[] = [
   instances,
   cache,
   reference,
+  noise,
   dynamics,
   computing,
   graph,

@@ -19,12 +19,21 @@ export interface IntegerOption extends OptionBase {
   /** Absent: the pipeline chooses. */
   readonly default?: number;
 }
+/** A real number, of a range that includes both ends. */
+export interface NumberOption extends OptionBase {
+  readonly kind: 'number';
+  readonly min: number;
+  readonly max: number;
+  readonly default: number;
+  /** Of the parameter's slider. */
+  readonly step: number;
+}
 export interface BooleanOption extends OptionBase {
   readonly kind: 'boolean';
   readonly default: boolean;
 }
-export type PipelineOption = IntegerOption | BooleanOption;
-/** By name: `threads` is `--threads <n>`; a boolean with default true, such as `mirrors`, is `--no-mirrors`. */
+export type PipelineOption = IntegerOption | NumberOption | BooleanOption;
+/** By name: `threads` is `--threads <n>`, `noiseThreshold` `--noise-threshold <x>`; a boolean with default true, such as `mirrors`, is `--no-mirrors`. */
 export type PipelineOptions = Readonly<Record<string, PipelineOption>>;
 
 type OptionValueOf<Option> = Option extends { readonly kind: 'boolean' }

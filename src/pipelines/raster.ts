@@ -12,7 +12,7 @@ export const rasterPipeline = definePipeline({
   usesThreads: false,
   fixedSettings: {},
   options: {},
-  aovs: Object.keys(AOVS) as AovName[],
+  aovs: (Object.keys(AOVS) as AovName[]).filter((name) => name !== 'sample_count'),
   samples: { default: 1, note: msg`smoothed by FXAA` },
   maxViews: MAX_VIEWS,
   // Imported lazily: three is large, and inspects its environment when it is imported.

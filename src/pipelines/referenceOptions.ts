@@ -1,8 +1,11 @@
 import { msg } from '../messages/message.ts';
-import { DEFAULT_LIGHT, MAX_BOUNCES, SEED_COUNT } from '../reference/lights/lightOptions.ts';
+import { DEFAULT_LIGHT, MAX_BOUNCES, MAX_SAMPLES, SEED_COUNT } from '../reference/lights/lightOptions.ts';
 import type { PipelineOptions } from './options.ts';
 
 export const REFERENCE = { id: 'reference', name: msg`reference renderer` } as const;
+
+/** n, for n × n samples from which noise can be told. */
+const DEFAULT_MIN_SAMPLES = 3;
 
 /** Options of the reference renderer. */
 export const REFERENCE_OPTIONS = {
@@ -21,6 +24,41 @@ export const REFERENCE_OPTIONS = {
     help: msg`seed of the random numbers; the same seed gives the same bits (default: 0)`,
     changesPicture: false,
     param: { title: msg`Seed`, help: msg`Seed of the random numbers: another seed gives other noise.` },
+  },
+  noiseThreshold: {
+    kind: 'number',
+    min: 0,
+    max: 1,
+    default: 0,
+    step: 0.01,
+    help: msg`adaptive sampling: ends where there is little noise, instead of taking --samples everywhere; the standard error that those that get all of them may have, of sRGB values 0 … 1, in an .exr relative to the light (0, the default: off)`,
+    changesPicture: false,
+    param: {
+      title: msg`Noise threshold`,
+      help: msg`Adaptive sampling: pixels with little noise get fewer samples, and those that get all may have this standard error, relative to the light. 0: all get all.`,
+    },
+  },
+  minSamples: {
+    kind: 'integer',
+    min: 1,
+    max: MAX_SAMPLES,
+    default: DEFAULT_MIN_SAMPLES,
+    help: msg`with --noise-threshold: n × n samples per pixel at least; more find what is small and bright (default: ${DEFAULT_MIN_SAMPLES})`,
+    changesPicture: false,
+    param: {
+      title: msg`Min samples`,
+      help: msg`With a noise threshold: n × n samples per pixel at least. More find what is small and bright.`,
+    },
+  },
+  denoise: {
+    kind: 'boolean',
+    default: false,
+    help: msg`removes what is left of the noise by Open Image Denoise's network: few samples are enough, fine detail of shadows and reflections may be lost`,
+    changesPicture: false,
+    param: {
+      title: msg`Denoise`,
+      help: msg`Removes what is left of the noise by Open Image Denoise’s network. Few samples are enough; fine detail of shadows and reflections may be lost.`,
+    },
   },
   bounces: {
     kind: 'integer',

@@ -1,16 +1,16 @@
-import { type Vec3, ZERO } from '../math/vec3.ts';
 import { msg } from '../messages/message.ts';
+import { denoiseWithPool } from '../reference/denoise/denoiseWithPool.ts';
 import { prepareScene } from '../reference/intersection/tracedScene.ts';
 import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
 import { aovsOfFrameGraph, type CapturedBuffers, evaluateFrameGraph } from '../reference/post/frameGraph.ts';
-import type { OutputLayer } from '../reference/tileRequest.ts';
+import type { OutputLayer, TileRequest } from '../reference/tileRequest.ts';
 import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts';
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { withDomePicture } from '../scene/film/seenFilm.ts';
-import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
+import { backdropColors, sceneNightSky, upVector } from '../scene/lights/sceneLights.ts';
 import type { DomePicture, Scene } from '../scene/types.ts';
 import { drawnFrom } from '../scene/view/drawnFrom.ts';
-import { lensDirection } from '../scene/view/lenses/lenses.ts';
+import { type Lens, lensDirection } from '../scene/view/lenses/lenses.ts';
 import type { PictureSize } from '../scene/view/pictureSize.ts';
 import { type AovName, bufferSettings, type RenderSettings, type ViewPoint } from '../scene/view/view.ts';
 import { toneMap } from '../spectrum/display/toneMap.ts';
@@ -28,8 +28,9 @@ export function openReferenceSession(
   { scenes, size, speedOfLight, options }: SessionRequest<ReferenceOptions>,
   { threads: host }: PipelineHost,
 ): PipelineSession {
-  const { seed, bounces, mirrors, glass } = options;
+  const { seed, bounces, mirrors, glass, noiseThreshold, minSamples, denoise } = options;
   const light = { bounces, mirrors, glass };
+  const adaptive = noiseThreshold > 0 && { adaptive: { noiseThreshold, minSamples } };
   const threads = Math.min(options.threads ?? host.count(scenes[0]), tilesOf(size).length);
   const pools = new TracerPools(scenes, threads, host);
   // Started now, because threads take a while to start.
@@ -45,11 +46,14 @@ export function openReferenceSession(
             throw new PipelineRefusal(
               msg`a ghost, and past and future apart, are drawn by the rasterizer only: switch them off`,
             );
-          const request = { width, height, samples, seed, light };
+          const request = { width, height, samples, ...adaptive, seed, light };
           const draw: TraceLayers = (scene, own, layers, onLayers) => {
             const from = drawnFrom(view, own);
             const pool = pools.of(scene, own.speedOfLight);
-            return renderWithPool(pool, { ...request, view: from, settings: own, layers }, onLayers);
+            const all = { ...request, view: from, settings: own, layers };
+            return denoise
+              ? renderDenoised(pool, all, sceneNightSky(scenes[scene] ?? scenes[0]) !== undefined, onLayers)
+              : renderWithPool(pool, all, onLayers);
           };
           return settings.frameGraph
             ? renderFrameGraph(settings, { view, width, height, scenes, pixels, aovs, draw }, onPart)
@@ -61,6 +65,31 @@ export function openReferenceSession(
     stop: (error) => pools.stop(error),
     close: () => pools.close(),
   };
+}
+
+/** Share of the progress that is rendering, if denoising follows. */
+const RENDERING = 0.9;
+
+/** As `renderWithPool`; the light is denoised. `hasStars`: see `denoiseWithPool`. */
+async function renderDenoised(
+  pool: TracerPool,
+  request: TileRequest,
+  hasStars: boolean,
+  onProgress: (fraction: number) => void = () => {},
+): Promise<Map<OutputLayer, Float32Array<ArrayBuffer>>> {
+  const { layers, settings } = request;
+  if (!layers.includes('beauty') && !layers.includes('picture')) return renderWithPool(pool, request, onProgress);
+  if (layers.includes('picture') && settings.grid)
+    throw new PipelineRefusal(msg`the grid would be denoised with the picture: switch off the grid, or the denoiser`);
+  const noisy = { ...request, layers: [...layers, 'denoiser_input'] } as const;
+  const images = await renderWithPool(pool, noisy, (part) => onProgress(RENDERING * part));
+  const values = images.get('denoiser_input')!;
+  const clean = await denoiseWithPool(pool, { values, hasStars }, request, (part) =>
+    onProgress(RENDERING + (1 - RENDERING) * part),
+  );
+  // Light is denoised before it is tone mapped, so that noise does not darken it.
+  if (layers.includes('picture')) images.set('picture', displayed(clean, request.view.lens, settings, request));
+  return layers.includes('beauty') ? images.set('beauty', clean) : images;
 }
 
 /** Starts threads that render a scene with one speed of light [m/s] and share its prepared data. */
@@ -168,14 +197,25 @@ async function renderFrameGraph(
   const beauty = Float32Array.from(light.values);
   const requested = new Map(aovs.map((name) => [name, name === 'beauty' ? beauty : captured[0]!.aovs.get(name)!]));
   if (!pixels) return { pixels: new Uint8Array(), aovs: requested };
-  const { lens } = drawnFrom(view, settings);
-  // Blurs reach beyond what a lens shows.
-  const display = light.map((x, y) =>
-    lensDirection(lens, x + 0.5, y + 0.5, { width, height })
-      ? toneMap(light.at(x, y) as unknown as Vec3, settings.exposure, settings.tone)
-      : ZERO,
-  );
-  return { pixels: encodeDisplay(Float32Array.from(display.values), width, height), aovs: requested };
+  const display = displayed(light.values, drawnFrom(view, settings).lens, settings, { width, height });
+  return { pixels: encodeDisplay(display, width, height), aovs: requested };
+}
+
+/** The tone-mapped picture of light, 3 values per pixel. Blurs reach beyond what a lens shows. */
+function displayed(
+  light: ArrayLike<number>,
+  lens: Lens,
+  settings: RenderSettings,
+  size: PictureSize,
+): Float32Array<ArrayBuffer> {
+  const display = new Float32Array(light.length);
+  for (let y = 0; y < size.height; y++)
+    for (let x = 0; x < size.width; x++) {
+      if (!lensDirection(lens, x + 0.5, y + 0.5, size)) continue;
+      const i = 3 * (y * size.width + x);
+      display.set(toneMap([light[i]!, light[i + 1]!, light[i + 2]!], settings.exposure, settings.tone), i);
+    }
+  return display;
 }
 
 const aovData = (

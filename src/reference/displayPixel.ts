@@ -41,10 +41,9 @@ export class DisplayPixel {
 
   /** Linear sRGB to display, 0 … 1. */
   mean(): Vec3 {
-    const white = 2 ** -this.settings.exposure;
     let sum = this.sum;
     for (const { lights, bare } of this.objects.values())
-      sum = addScaled(sum, this.toneMapped(meanWithoutFireflies(lights, white)), bare);
+      sum = addScaled(sum, this.toneMapped(meanWithoutFireflies(lights, this.settings)), bare);
     return scale(sum, 1 / this.count);
   }
 
@@ -53,7 +52,9 @@ export class DisplayPixel {
   }
 }
 
-function meanWithoutFireflies(lights: readonly Vec3[], white: number): Vec3 {
+/** The mean of samples of light, fireflies dimmed. */
+export function meanWithoutFireflies(lights: readonly Vec3[], { exposure }: Pick<RenderSettings, 'exposure'>): Vec3 {
+  const white = 2 ** -exposure;
   const luminances = lights.map((light) => dot(LUMINANCE_WEIGHTS, light));
   const median = [...luminances].sort((a, b) => a - b)[lights.length >> 1];
   const limit = FIREFLY * Math.max(white, median);

@@ -13,5 +13,6 @@ export { type TransparentMode, visibleHit } from './camera/visibleHit.ts';
 export { createTracedScene, nearestHit, type TracedScene } from './intersection/tracedScene.ts';
 export { DEFAULT_LIGHT, type LightOptions } from './lights/lightOptions.ts';
 export { materialOf } from './materials/material.ts';
+export type { AdaptiveSampling } from './sampling/adaptiveSampling.ts';
 export { renderTile } from './tile.ts';
 export type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';

@@ -6,7 +6,13 @@ import { visibleHit } from './camera/visibleHit.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
 import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';
 
-export const channelsOf = (layer: OutputLayer): number => (layer === 'picture' ? 3 : AOVS[layer].channels.length);
+export function channelsOf(layer: OutputLayer): number {
+  if (layer === 'denoiser_input') return 9;
+  return layer === 'picture' ? 3 : AOVS[layer].channels.length;
+}
+
+/** Layers that depend on the samples of a pixel. */
+const SAMPLED = ['beauty', 'picture', 'denoiser_input', 'sample_count'] as const satisfies readonly OutputLayer[];
 
 /**
  * Renders a part of a picture. The bits depend only on the request and the pixel.
@@ -38,14 +44,14 @@ export function renderTile(scene: TracedScene, request: TileRequest, tile: Image
   const data: TileData = {};
   const pixels = (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
   for (const layer of request.layers) data[layer] = new Float32Array(pixels * channelsOf(layer));
-  if (data.beauty || data.picture) fillBeauty(scene, request, tile, data);
+  if (SAMPLED.some((layer) => data[layer])) fillBeauty(scene, request, tile, data);
   fillData(scene, request, tile, data);
   return data;
 }
 
 function fillData(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: ImageTile, data: TileData): void {
   const { view, settings, width, height, layers } = request;
-  const named = layers.filter((layer): layer is DataAov => layer !== 'beauty' && layer !== 'picture');
+  const named = layers.filter((layer): layer is DataAov => !(SAMPLED as readonly OutputLayer[]).includes(layer));
   if (named.length === 0) return;
   const readers = named.map((name) => ({ read: aovReader(name, scene, view.u, settings), out: data[name] }));
   for (let y = y0; y < y1; y++)

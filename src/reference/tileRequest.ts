@@ -1,8 +1,12 @@
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import type { LightOptions } from './lights/lightOptions.ts';
+import type { AdaptiveSampling } from './sampling/adaptiveSampling.ts';
 
-/** AOVs, and `picture`: the beauty exposed and tone mapped, linear sRGB 0 … 1 (`encodeDisplay` encodes it). */
-export type OutputLayer = AovName | 'picture';
+/**
+ * AOVs; `picture`: the beauty exposed and tone mapped, linear sRGB 0 … 1 (`encodeDisplay` encodes it); `denoiser_input`: light, albedo and normal, means
+ * over a pixel's samples, the light without fireflies if the picture is requested, too.
+ */
+export type OutputLayer = AovName | 'picture' | 'denoiser_input';
 
 /** The description of a picture to render. */
 export interface TileRequest {
@@ -16,8 +20,10 @@ export interface TileRequest {
   readonly height: number;
   /** What to compute. */
   readonly layers: readonly OutputLayer[];
-  /** n, for n × n samples per pixel of `beauty` and `picture`. */
+  /** n, for n × n samples per pixel of `beauty` and `picture`; at most that many with adaptive sampling. */
   readonly samples: number;
+  /** Fewer samples where there is little noise. Absent: every pixel has n × n. */
+  readonly adaptive?: AdaptiveSampling;
   /** The same seed gives the same noise. */
   readonly seed: number;
   /** How light is followed. */

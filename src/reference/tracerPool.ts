@@ -1,4 +1,5 @@
 import type { DomePicture } from '../scene/types.ts';
+import type { NoisyTile } from './denoise/noisyTile.ts';
 import { channelsOf } from './tile.ts';
 import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';
 import type { TracerMessage, TracerReply } from './tracerServer.ts';
@@ -11,9 +12,12 @@ export interface TracerThread {
   terminate(): Promise<unknown> | undefined;
 }
 
-/** A picture being rendered: the remaining tiles, and callbacks. */
+/** What a thread does at a time. */
+type TileOrder = Extract<TracerMessage, { readonly kind: 'tile' | 'denoise' }>;
+
+/** A picture being rendered or denoised: the remaining tiles, and callbacks. */
 interface PictureJob {
-  readonly tiles: ImageTile[];
+  readonly orders: TileOrder[];
   left: number;
   readonly onTile: (tile: ImageTile, data: TileData) => void;
   readonly done: () => void;
@@ -58,13 +62,29 @@ export class TracerPool {
     tiles: readonly ImageTile[],
     take: (tile: ImageTile, data: TileData) => void,
   ): Promise<void> {
+    if (!this.failure) for (const thread of this.threads) thread.send({ kind: 'picture', request });
+    return this.work(
+      tiles.map((tile) => ({ kind: 'tile', tile })),
+      take,
+    );
+  }
+
+  /** Denoises tiles of a picture; `take` receives their `beauty`. */
+  denoise(
+    tiles: readonly { readonly tile: ImageTile; readonly noisy: NoisyTile }[],
+    take: (tile: ImageTile, data: TileData) => void,
+  ): Promise<void> {
+    return this.work(
+      tiles.map((order) => ({ kind: 'denoise', ...order })),
+      take,
+    );
+  }
+
+  private work(orders: readonly TileOrder[], take: (tile: ImageTile, data: TileData) => void): Promise<void> {
     if (this.failure) return Promise.reject(this.failure);
     return new Promise((done, fail) => {
-      this.job = { tiles: [...tiles].reverse(), left: tiles.length, onTile: take, done, fail };
-      for (const thread of this.threads) {
-        thread.send({ kind: 'picture', request });
-        this.sendNextTile(thread);
-      }
+      this.job = { orders: [...orders].reverse(), left: orders.length, onTile: take, done, fail };
+      for (const thread of this.threads) this.sendNextTile(thread);
     });
   }
 
@@ -95,8 +115,8 @@ export class TracerPool {
   }
 
   private sendNextTile(thread: TracerThread): void {
-    const tile = this.job?.tiles.pop();
-    if (tile) thread.send({ kind: 'tile', tile });
+    const order = this.job?.orders.pop();
+    if (order) thread.send(order);
   }
 }
 
@@ -133,7 +153,7 @@ export async function renderWithPool(
 }
 
 /** Copies the rows of a tile into the picture. */
-function copyTile(
+export function copyTile(
   image: Float32Array,
   width: number,
   { x0, y0, x1, y1 }: ImageTile,

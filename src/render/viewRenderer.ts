@@ -135,6 +135,7 @@ export class ViewRenderer {
   }
 
   async readAov(name: AovName): Promise<Float32Array> {
+    if (name === 'sample_count') throw new Error(`the rasterizer has no ${name}`);
     this.drawPixelCenters();
     this.bind();
     if (name !== 'beauty')

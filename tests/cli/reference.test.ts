@@ -116,6 +116,67 @@ test('the bits depend on the seed, not on the number of threads', async () => {
   expect(one.equals(again)).toBe(false);
 });
 
+test('adaptive sampling: samples between the least and the most, the same bits by any number of threads', async () => {
+  const draw = async (name: string, ...flags: string[]): Promise<Buffer> => {
+    const file = out(`${name}.exr`);
+    const how = [...size, ...flight, '--pipeline', 'reference', '--samples', '6', '--aov', 'beauty,sample_count'];
+    const { code, err } = await slowlight('render', movers, '-o', file, ...how, ...flags);
+    expect(code, err).toBe(0);
+    return readFileSync(file);
+  };
+  const noise = ['--noise-threshold', '0.03', '--min-samples', '2'];
+  const [one, two, all] = await Promise.all([
+    draw('adaptive1', ...noise, '--threads', '1'),
+    draw('adaptive2', ...noise, '--threads', '2'),
+    draw('uniform'),
+  ]);
+  expect(one.equals(two)).toBe(true);
+  const counts = (file: Buffer) =>
+    readExr(new Uint8Array(file), 'exr').channels.find((c) => c.name === 'sample_count')!;
+  const found = new Set(counts(one).data);
+  expect(found.size).toBeGreaterThan(2);
+  expect(Math.min(...found)).toBe(4);
+  expect(Math.max(...found)).toBeLessThanOrEqual(36);
+  expect(new Set(counts(all).data)).toEqual(new Set([36]));
+});
+
+test('denoised pictures have the same bits by any number of threads, and other noise; the grid is refused', async () => {
+  const draw = async (name: string, ...flags: string[]): Promise<Float32Array> => {
+    const file = out(name);
+    const how = [...size, ...flight, '--pipeline', 'reference', '--samples', '1'];
+    const { code, err } = await slowlight('render', movers, '-o', file, ...how, ...flags);
+    expect(code, err).toBe(0);
+    const { channels } = readExr(new Uint8Array(readFileSync(file)), file);
+    expect(channels.map(({ name }) => name).sort()).toEqual(['B', 'G', 'R']);
+    return channels.find((channel) => channel.name === 'G')!.data as Float32Array;
+  };
+  const [one, two, noisy] = await Promise.all([
+    draw('denoised1.exr', '--denoise', '--threads', '1'),
+    draw('denoised2.exr', '--denoise', '--threads', '2'),
+    draw('noisy.exr'),
+  ]);
+  expect(one).toEqual(two);
+  expect(one).not.toEqual(noisy);
+  const sum = (values: Float32Array): number => values.reduce((all, value) => all + value, 0);
+  expect(sum(one) / sum(noisy)).toBeCloseTo(1, 1);
+  const grid = ['--pipeline', 'reference', '--samples', '1', '--denoise', '--grid'];
+  const { code, err } = await slowlight('render', movers, '-o', out('grid.png'), ...size, ...grid);
+  expect(code).not.toBe(0);
+  expect(err).toMatch(/the grid would be denoised/);
+});
+
+test.each([
+  [['--noise-threshold', '-0.1', '--pipeline', 'reference'], /--noise-threshold.*-0\.1.*number from 0 to 1/],
+  [['--min-samples', '17', '--pipeline', 'reference'], /--min-samples.*17.*whole number, 1 to 16/],
+  [['--noise-threshold', '0.1', '--pipeline', 'raster'], /--noise-threshold is for the reference renderer/],
+  [['--aov', 'sample_count'], /--aov sample_count is for the reference renderer: add --pipeline reference/],
+  [['--aov', 'sample_count', '--pipeline', 'raster'], /--aov sample_count: --pipeline raster gives beauty/],
+])('refuses %j', async (flags, said) => {
+  const { code, err } = await slowlight('render', movers, '-o', out('refused.exr'), ...size, ...flags);
+  expect(code).toBe(2);
+  expect(err).toMatch(said);
+});
+
 test.each([['--ghost', 'simultaneity'], ['--past-future']])('it has no %s', async (...flags) => {
   const { code, err } = await slowlight('render', movers, '-o', out('ghost.png'), ...size, ...reference, ...flags);
   expect(code).not.toBe(0);

@@ -39,7 +39,7 @@ it('a reference render reports progress on its node, is displayed, stays while t
   const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usdc', options)).ready();
   const { page } = visit;
   const work = page.locator('.react-flow__node[data-id="truth"]').getByRole('progressbar');
-  const samples = page.getByRole('textbox', { name: 'Samples' });
+  const samples = page.getByRole('textbox', { name: 'Samples', exact: true });
   const tracers = () => page.workers().filter((worker) => worker.url().includes('/renderStill.worker'));
   const sample = async (n: string): Promise<void> => {
     await samples.fill(n);
@@ -71,5 +71,12 @@ it('a reference render reports progress on its node, is displayed, stays while t
   // Another picture: its noise differs.
   await sample('2');
   await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(0.5);
+  await work.waitFor({ state: 'detached' });
+
+  // And without noise, by a network that is loaded now.
+  const noisy = await visit.pixels();
+  await page.getByRole('switch', { name: 'Denoise' }).press('Space');
+  await expect.poll(async () => difference(await visit.pixels(), noisy)).toBeGreaterThan(0.5);
+  await visit.shot('reference-node-denoised');
   await visit.close();
 });

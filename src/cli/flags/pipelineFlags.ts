@@ -1,11 +1,6 @@
 import { type Command, Option } from 'commander';
 import { inClauses, listed, type Message, msg } from '../../messages/message.ts';
-import {
-  type IntegerOption,
-  type OptionValues,
-  optionsByEffect,
-  type PipelineOption,
-} from '../../pipelines/options.ts';
+import { type OptionValues, optionsByEffect, type PipelineOption } from '../../pipelines/options.ts';
 import type { Pipeline } from '../../pipelines/pipeline.ts';
 import { AUTOMATIC_PIPELINES, PIPELINES, pipelineNamed } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
@@ -13,7 +8,7 @@ import type { AovName } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { localized } from '../terminal/language.ts';
 import { parseWithin } from './parse.ts';
-import type { SettingFlags } from './viewFlags.ts';
+import { flagName, type SettingFlags } from './viewFlags.ts';
 
 export interface PipelineFlags {
   /** Id of a pipeline, or `auto`. */
@@ -63,10 +58,12 @@ function optionsOfAll(): Map<string, { readonly option: PipelineOption; readonly
 
 function addOptionFlag(command: Command, name: string, option: PipelineOption, owners: readonly string[]): void {
   const help = localized(msg`of ${listed(owners)}: ${option.help}`);
-  if (option.kind === 'integer')
-    command.option(`--${name} <n>`, help, parseWithin({ min: option.min, max: option.max, integer: true }));
-  else if (option.default) command.option(`--no-${name}`, help);
-  else command.option(`--${name}`, help, false);
+  const flag = flagName(name);
+  if (option.kind === 'boolean' && option.default) command.option(`--no-${flag}`, help);
+  else if (option.kind === 'boolean') command.option(`--${flag}`, help, false);
+  else if (option.kind === 'integer')
+    command.option(`--${flag} <n>`, help, parseWithin({ min: option.min, max: option.max, integer: true }));
+  else command.option(`--${flag} <x>`, help, parseWithin({ min: option.min, max: option.max }));
 }
 
 /** The values of a pipeline's options. */
@@ -80,6 +77,10 @@ export function checkPipeline(
   const idle = unusedOption(flags);
   if (idle)
     throw usageError(msg`${idle.flag} is for the ${idle.owner.name}: add --pipeline ${idle.owner.id}, or leave it out`);
+  const lacking = flags.pipeline === 'auto' && flags.aov?.find((name) => !first.aovs.includes(name));
+  const owner = lacking && PIPELINES.find(({ aovs }) => aovs.includes(lacking));
+  if (owner)
+    throw usageError(msg`${`--aov ${lacking}`} is for the ${owner.name}: add --pipeline ${owner.id}, or leave it out`);
   if (flags.pipeline === 'auto') return;
   const pipeline = pipelineNamed(flags.pipeline);
   const foreign = foreignSetting(flags, pipeline);
@@ -111,11 +112,12 @@ function unusedOption(flags: PipelineFlags): { readonly flag: string; readonly o
     for (const [name, option] of optionsByEffect(owner.options)) {
       if (Object.hasOwn(drawing.options, name) || !isGiven(option, given[name])) continue;
       if (flags.pipeline === 'auto' && !option.changesPicture && AUTOMATIC_PIPELINES.includes(owner)) continue;
-      return { flag: option.kind === 'boolean' && option.default ? `--no-${name}` : `--${name}`, owner };
+      const flag = flagName(name);
+      return { flag: option.kind === 'boolean' && option.default ? `--no-${flag}` : `--${flag}`, owner };
     }
   }
   return undefined;
 }
 
-const isGiven = (option: IntegerOption | PipelineOption, value: unknown): boolean =>
-  option.kind === 'integer' ? value !== undefined : value !== option.default;
+const isGiven = (option: PipelineOption, value: unknown): boolean =>
+  option.kind === 'boolean' ? value !== option.default : value !== undefined;

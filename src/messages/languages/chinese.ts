@@ -1837,6 +1837,15 @@ const messages: Translation['messages'] = {
   'n × n per pixel: four times as many samples halve the noise.': '每像素 n × n 个：采样数增至四倍，噪点减半。',
   Time: '时间',
   'World time of the observer’s event.': '观察者所在事件的世界时间。',
+  'Noise threshold': '噪点阈值',
+  'Adaptive sampling: pixels with little noise get fewer samples, and those that get all may have this standard error, relative to the light. 0: all get all.':
+    '自适应采样：噪点少的像素采样较少；取满采样数的像素，其相对于光的标准误差可达此值。0：一律取满。',
+  'Min samples': '最少采样',
+  'With a noise threshold: n × n samples per pixel at least. More find what is small and bright.':
+    '设有噪点阈值时：每像素至少 n × n 个采样。多取些，才不会漏掉又小又亮之物。',
+  Denoise: '降噪',
+  'Removes what is left of the noise by Open Image Denoise’s network. Few samples are enough; fine detail of shadows and reflections may be lost.':
+    '用 Open Image Denoise 的网络去除余下的噪点。少量采样即可；阴影和反射的细节可能丢失。',
   Bounces: '散射次数',
   'How often light of the sky and of emissive surfaces is scattered on its way. 0: only suns and lamps; 1: also the sky and emissive surfaces; 2: also surfaces lit by these.':
     '天空与发光体的光在途中散射的次数。0：只有太阳和灯；1：加上天空和发光体；2：再加上被它们照亮的表面。',
@@ -3454,6 +3463,14 @@ const messages: Translation['messages'] = {
   'number of worker threads (default: that of processors)': '工作线程数（默认：处理器数）',
   'seed of the random numbers; the same seed gives the same bits (default: 0)':
     '随机数的种子；种子相同，结果逐位相同（默认：0）',
+  'adaptive sampling: ends where there is little noise, instead of taking --samples everywhere; the standard error that those that get all of them may have, of sRGB values 0 … 1, in an .exr relative to the light (0, the default: off)':
+    '自适应采样：噪点少处提前结束，不再处处取满 --samples；数值是取满之处允许的标准误差：以 0 … 1 的 sRGB 值计，.exr 中则相对于光（0 为默认值：关闭）',
+  'with --noise-threshold: n × n samples per pixel at least; more find what is small and bright (default: {})':
+    '与 --noise-threshold 同用：每像素至少 n × n 个采样；多取些，才不会漏掉又小又亮之物（默认：{1}）',
+  "removes what is left of the noise by Open Image Denoise's network: few samples are enough, fine detail of shadows and reflections may be lost":
+    '用 Open Image Denoise 的网络去除余下的噪点：少量采样即可，但阴影和反射的细节可能丢失',
+  'the grid would be denoised with the picture: switch off the grid, or the denoiser':
+    '网格会随画面一起被降噪：请关闭网格，或关闭降噪',
   'number of bounces of light from the sky and from emissive surfaces (default: {})':
     '来自天空和发光表面的光的散射次数（默认：{1}）',
   'smooth surfaces reflect the sky and emissive surfaces, but not each other':

@@ -30,6 +30,7 @@ function optionParams({ options }: Pipeline): Readonly<Record<string, NumberPara
         ? { kind: 'boolean', ...param, default: option.default }
         : {
             ...integerParam(param.title, option.default ?? option.min, option.min, option.max),
+            ...(option.kind === 'number' && { integer: false, step: option.step }),
             ...param,
             slider: false,
           };

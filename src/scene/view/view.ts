@@ -92,10 +92,11 @@ export type AovName =
   | 'metallic'
   | 'occlusion'
   | 'velocity'
-  | 'object';
+  | 'object'
+  | 'sample_count';
 
-/** AOVs of the surface: all except `beauty`. */
-export type DataAov = Exclude<AovName, 'beauty'>;
+/** AOVs of the surface. */
+export type DataAov = Exclude<AovName, 'beauty' | 'sample_count'>;
 
 /** A data channel of pictures. */
 export interface AovInfo {
@@ -106,7 +107,7 @@ export interface AovInfo {
 }
 
 /**
- * The AOVs. In data AOVs, pixels without a surface are 0; `beauty` has the sky there. Data AOVs describe the surface at the pixel's centre and are never
+ * The AOVs. In data AOVs, pixels without a surface are 0; `beauty` has the sky there, and `sample_count` is that of `beauty`. Data AOVs describe the surface at the pixel's centre and are never
  * averaged.
  * @example
  * AOVS.depth.channels; // ['depth']
@@ -144,4 +145,5 @@ export const AOVS: Readonly<Record<AovName, AovInfo>> = {
     meaning: 'velocity of the surface in the world frame, in units of c',
   },
   object: { channels: ['object'], meaning: 'place of the object in Scene.objects plus one' },
+  sample_count: { channels: ['sample_count'], meaning: 'number of samples of beauty' },
 };
