@@ -8,7 +8,6 @@ import { diagram } from './page/diagram.ts';
 import { firstPicture } from './page/firstPicture.ts';
 import { graph } from './page/graph.ts';
 import { graphPage } from './page/graphPage.ts';
-import { page } from './page/page.ts';
 import { weak } from './page/weak.ts';
 import { noise } from './reference/noise.ts';
 import { reference } from './reference/reference.ts';
