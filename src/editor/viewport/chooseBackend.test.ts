@@ -1,10 +1,16 @@
 import { afterEach, expect, it, vi } from 'vitest';
 import { chooseBackend, isSoftwareRenderer } from './chooseBackend.ts';
 
-afterEach(() => vi.unstubAllGlobals());
+afterEach(() => {
+  // It forgets the context that it tried.
+  isSoftwareRenderer();
+  vi.unstubAllGlobals();
+});
 
 function browser(webgl: boolean, adapter?: 'real' | 'emulated'): void {
-  vi.stubGlobal('document', { createElement: () => ({ getContext: () => (webgl ? {} : null) }) });
+  vi.stubGlobal('document', {
+    createElement: () => ({ getContext: () => (webgl ? { getExtension: () => null, getParameter: () => '' } : null) }),
+  });
   const info = { isFallbackAdapter: adapter === 'emulated' };
   vi.stubGlobal('navigator', adapter ? { gpu: { requestAdapter: async () => ({ info }) } } : {});
 }
@@ -32,4 +38,18 @@ it.each([
 ] as const)('WebGL2 %s, WebGPU %s, requested %s: %s', async (webgl, adapter, wanted, chosen) => {
   browser(webgl, adapter);
   expect(await chooseBackend(wanted)).toBe(chosen);
+});
+
+it('one context serves the choice and the question for its renderer', async () => {
+  let made = 0;
+  const gl = { getExtension: () => null, getParameter: () => 'llvmpipe' };
+  const getContext = () => {
+    made++;
+    return gl;
+  };
+  vi.stubGlobal('document', { createElement: () => ({ getContext }) });
+  vi.stubGlobal('navigator', {});
+  expect(await chooseBackend('auto')).toBe('auto');
+  expect(isSoftwareRenderer()).toBe(true);
+  expect(made).toBe(1);
 });
