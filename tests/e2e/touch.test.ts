@@ -256,6 +256,8 @@ it('a phone that is turned has its panels beside the picture, and below it again
   const picture = async () => (await visit.viewport.boundingBox())!;
   const upright = await picture();
   await page.setViewportSize({ width: PHONE.height, height: PHONE.width });
+  // Wider than upright, beside panels of at least 264 px.
+  await expect.poll(async () => (await picture()).width).toBeGreaterThan(upright.width);
   await expect.poll(async () => (await picture()).width).toBeLessThan(PHONE.height - 260);
   await page.getByRole('textbox', { name: 'Speed of light', exact: true }).waitFor();
   await page.setViewportSize(PHONE);

@@ -1,7 +1,7 @@
 import 'dockview/dist/styles/dockview.css';
 import { useComputedColorScheme } from '@mantine/core';
 import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer } from 'dockview';
-import { lazy, type ReactNode, Suspense, useEffect, useLayoutEffect, useRef, useState } from 'react';
+import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
 import { type Message, msg, type Translate } from '../../../messages/message.ts';
 import { useTexts } from '../../language/languageStore.ts';
@@ -69,10 +69,8 @@ interface DockLayoutProps {
 export default function DockLayout({ picture, onLaidOut }: DockLayoutProps): ReactNode {
   const host = useRef<HTMLDivElement>(null);
   const [elements, setElements] = useState<Partial<Record<PanelName, HTMLElement>>>({});
-  const api = useDockview(host, picture, setElements);
-  useLayoutEffect(() => {
-    if (api) onLaidOut();
-  }, [api, onLaidOut]);
+  const api = useDockview(host, setElements);
+  usePicture(api, picture, onLaidOut);
   useGraph(api, host);
   useEnergy(api);
   useLessonPanel(api, host);
@@ -101,27 +99,24 @@ export default function DockLayout({ picture, onLaidOut }: DockLayoutProps): Rea
 
 type SetElements = React.Dispatch<React.SetStateAction<Partial<Record<PanelName, HTMLElement>>>>;
 
-/** Before the page is painted again: the picture changes its place unseen. */
-function useDockview(
-  host: React.RefObject<HTMLDivElement | null>,
-  picture: HTMLElement,
-  setElements: SetElements,
-): DockviewApi | undefined {
+function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: SetElements): DockviewApi | undefined {
   const [api, setApi] = useState<DockviewApi>();
   const scheme = useComputedColorScheme('dark');
   const { t } = useTexts();
   const say = useRef(t);
   say.current = t;
-  useLayoutEffect(() => {
+  useEffect(() => {
     if (!host.current) return;
-    const focused = picture.contains(document.activeElement) ? (document.activeElement as HTMLElement) : undefined;
     // What is there from the start does not open.
     let isLaidOut = false;
     const made = createDockview(host.current, {
       createComponent: ({ name }) => {
-        if (name === 'picture') return { element: picture, init: () => {} };
         const element = document.createElement('div');
         element.className = 'sl-dock-panel';
+        if (name === 'picture') {
+          element.dataset.picturePanel = '';
+          return { element, init: () => {} };
+        }
         return {
           element,
           init: ({ api }) => {
@@ -141,16 +136,42 @@ function useDockview(
     });
     layOut(made, isNarrow(host.current));
     isLaidOut = true;
-    // What is moved loses the focus.
-    focused?.focus();
     setApi(made);
     return () => {
       setElements({});
       made.dispose();
     };
-  }, [host, picture, setElements]);
+  }, [host, setElements]);
   useEffect(() => api?.updateOptions({ theme: THEMES[scheme] }), [api, scheme]);
   return api;
+}
+
+/** Takes the picture among the panels, when its panel is in place: dockview places it in the next frame. */
+function usePicture(api: DockviewApi | undefined, picture: HTMLElement, onLaidOut: () => void): void {
+  useEffect(() => {
+    const panel = api && document.querySelector('[data-picture-panel]');
+    if (!panel) return;
+    let frame = requestAnimationFrame(() => {
+      frame = requestAnimationFrame(() => {
+        moveInto(panel, picture);
+        onLaidOut();
+      });
+    });
+    return () => cancelAnimationFrame(frame);
+  }, [api, picture, onLaidOut]);
+}
+
+/**
+ * Moves an element with its focus. Where browsers cannot move what is in the document (Safari), keys that are held are
+ * let go.
+ */
+function moveInto(place: Element & { moveBefore?: (moved: Node, before: Node | null) => void }, moved: Element): void {
+  if (place.moveBefore && moved.isConnected) place.moveBefore(moved, null);
+  else {
+    const focused = moved.contains(document.activeElement) ? (document.activeElement as HTMLElement) : undefined;
+    place.append(moved);
+    focused?.focus();
+  }
 }
 
 /** Whether the panels are under the picture, also after the device is turned; a keyboard on the screen does not count. */
@@ -314,7 +335,7 @@ function placeControls(api: DockviewApi, narrow: boolean): void {
 }
 
 function layOut(api: DockviewApi, narrow: boolean): void {
-  const picture = api.addPanel({ id: 'picture', component: 'picture' });
+  const picture = api.addPanel({ id: 'picture', component: 'picture', renderer: 'always' });
   const direction = narrow ? 'below' : 'right';
   const size = narrow
     ? { initialHeight: SHEET_HEIGHT, minimumHeight: SHEET_HEIGHT }
