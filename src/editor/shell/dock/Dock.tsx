@@ -21,11 +21,13 @@ export function Dock(): ReactNode {
     return element;
   });
   const [isLaidOut, setLaidOut] = useState(false);
+  // The same function at every rendering: what is appended again loses the focus.
+  const place = useCallback((alone: HTMLElement | null) => alone?.append(picture), [picture]);
   const onLaidOut = useCallback(() => setLaidOut(true), []);
   return (
     <div className="sl-dock-host">
       {createPortal(<Viewport />, picture)}
-      {!isLaidOut && <div className="sl-dock-alone" style={ROOM} ref={(alone) => alone?.append(picture)} />}
+      {!isLaidOut && <div className="sl-dock-alone" style={ROOM} ref={place} />}
       <AfterFirstPicture>
         <DockLayout picture={picture} onLaidOut={onLaidOut} />
       </AfterFirstPicture>

@@ -166,12 +166,10 @@ function usePicture(api: DockviewApi | undefined, picture: HTMLElement, onLaidOu
  * let go.
  */
 function moveInto(place: Element & { moveBefore?: (moved: Node, before: Node | null) => void }, moved: Element): void {
+  const focused = moved.contains(document.activeElement) ? (document.activeElement as HTMLElement) : undefined;
   if (place.moveBefore && moved.isConnected) place.moveBefore(moved, null);
-  else {
-    const focused = moved.contains(document.activeElement) ? (document.activeElement as HTMLElement) : undefined;
-    place.append(moved);
-    focused?.focus();
-  }
+  else place.append(moved);
+  if (document.activeElement !== focused) focused?.focus();
 }
 
 /** Whether the panels are under the picture, also after the device is turned; a keyboard on the screen does not count. */
