@@ -15,6 +15,7 @@ import { surfaceAt } from './materials/surface.ts';
 import { noiseLimit, sampleCounts, varianceOfMean } from './sampling/adaptiveSampling.ts';
 import { pixelSequence } from './sampling/pixelSequence.ts';
 import { sensorsOf } from './spectral/sensors.ts';
+import { squaresOf } from './squares.ts';
 import { starField } from './starField.ts';
 import type { ImageTile, TileRequest } from './tileRequest.ts';
 import { radiance } from './transport/path.ts';
@@ -44,8 +45,8 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
   const side = adaptive ? BLOCK : 1;
   const sampled = wholeBlocks(tile, side, width, height);
   const sampler = pixelSampler(scene, request, sampled, means);
-  for (const block of blocksOf(sampled, side)) {
-    const pixels = blocksOf(block, 1).map(({ x0: x, y0: y }) => ({ x, y, take: sampler(x, y), samples: noSamples() }));
+  for (const block of squaresOf(sampled, side)) {
+    const pixels = squaresOf(block, 1).map(({ x0: x, y0: y }) => ({ x, y, take: sampler(x, y), samples: noSamples() }));
     for (const count of counts) {
       for (const { samples, take } of pixels) while (samples.length < count) samples.push(take(samples.length));
       if (adaptive && count < n * n && noiseOf(pixels, settings, means) < noiseLimit(adaptive, count, n)) break;
@@ -65,15 +66,6 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
 function wholeBlocks({ x0, y0, x1, y1 }: ImageTile, side: number, width: number, height: number): ImageTile {
   const end = (pixel: number, size: number): number => Math.min(Math.ceil(pixel / side) * side, size);
   return { x0: x0 - (x0 % side), y0: y0 - (y0 % side), x1: end(x1, width), y1: end(y1, height) };
-}
-
-/** A tile divided into squares, row by row; those at its end may be smaller. */
-function blocksOf(tile: ImageTile, side: number): ImageTile[] {
-  const blocks: ImageTile[] = [];
-  for (let y0 = tile.y0; y0 < tile.y1; y0 += side)
-    for (let x0 = tile.x0; x0 < tile.x1; x0 += side)
-      blocks.push({ x0, y0, x1: Math.min(x0 + side, tile.x1), y1: Math.min(y0 + side, tile.y1) });
-  return blocks;
 }
 
 /** A sample of a pixel: its light, what its ray meets (undefined: the sky), what is drawn over it, and its surface for the denoiser. */

@@ -1,5 +1,6 @@
 import type { DomePicture } from '../scene/types.ts';
 import type { NoisyTile } from './denoise/noisyTile.ts';
+import { squaresOfPicture } from './squares.ts';
 import { channelsOf } from './tile.ts';
 import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';
 import type { TracerMessage, TracerReply } from './tracerServer.ts';
@@ -124,15 +125,7 @@ export class TracerPool {
 const TILE_SIZE = 16;
 
 /** The tiles of a picture, row by row. */
-export function tilesOf({ width, height }: Pick<TileRequest, 'width' | 'height'>): ImageTile[] {
-  const tiles: ImageTile[] = [];
-  for (let y0 = 0; y0 < height; y0 += TILE_SIZE) {
-    for (let x0 = 0; x0 < width; x0 += TILE_SIZE) {
-      tiles.push({ x0, y0, x1: Math.min(x0 + TILE_SIZE, width), y1: Math.min(y0 + TILE_SIZE, height) });
-    }
-  }
-  return tiles;
-}
+export const tilesOf = (size: Pick<TileRequest, 'width' | 'height'>): ImageTile[] => squaresOfPicture(size, TILE_SIZE);
 
 /** Renders a whole picture, in the requested layers. `onProgress` receives the finished fraction, 0 … 1. */
 export async function renderWithPool(

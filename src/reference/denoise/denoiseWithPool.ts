@@ -1,9 +1,9 @@
 import type { PictureSize } from '../../scene/view/pictureSize.ts';
 import { LUMINANCE_WEIGHTS } from '../../spectrum/color/observerColor.ts';
+import { squaresOfPicture } from '../squares.ts';
 import { channelsOf } from '../tile.ts';
 import type { ImageTile } from '../tileRequest.ts';
 import { copyTile, type TracerPool } from '../tracerPool.ts';
-import type { NoisyTile } from './noisyTile.ts';
 
 /** Side of the tiles, which belong to the picture, so that no bit depends on threads; a window takes some 150 MB [px]. */
 const TILE = 384;
@@ -28,18 +28,15 @@ export async function denoiseWithPool(
 ): Promise<Float32Array<ArrayBuffer>> {
   const gain = gainOf(picture.values, width, height);
   const clean = new Float32Array(3 * width * height);
-  const orders: { tile: ImageTile; noisy: NoisyTile }[] = [];
-  for (let y0 = 0; y0 < height; y0 += TILE)
-    for (let x0 = 0; x0 < width; x0 += TILE) {
-      const tile = { x0, y0, x1: Math.min(x0 + TILE, width), y1: Math.min(y0 + TILE, height) };
-      const window = {
-        x0: Math.max(x0 - MARGIN, 0),
-        y0: Math.max(y0 - MARGIN, 0),
-        x1: Math.min(tile.x1 + MARGIN, width),
-        y1: Math.min(tile.y1 + MARGIN, height),
-      };
-      orders.push({ tile, noisy: { window, values: partOf(picture.values, width, window), gain } });
-    }
+  const orders = squaresOfPicture({ width, height }, TILE).map((tile) => {
+    const window = {
+      x0: Math.max(tile.x0 - MARGIN, 0),
+      y0: Math.max(tile.y0 - MARGIN, 0),
+      x1: Math.min(tile.x1 + MARGIN, width),
+      y1: Math.min(tile.y1 + MARGIN, height),
+    };
+    return { tile, noisy: { window, values: partOf(picture.values, width, window), gain } };
+  });
   let done = 0;
   await pool.denoise(orders, (tile, { beauty }) => {
     copyTile(clean, width, tile, beauty);
@@ -79,18 +76,12 @@ const [CELL, DARKEST, KEY] = [16, 1e-8, 0.18];
 /** The exposure that the network was trained with. Source: devices/cpu/cpu_autoexposure.cpp of Open Image Denoise 2. */
 function gainOf(values: Float32Array, width: number, height: number): number {
   let [sum, count] = [0, 0];
-  for (let top = 0; top < height; top += CELL)
-    for (let left = 0; left < width; left += CELL) {
-      const luminance = meanLuminance(values, width, {
-        x0: left,
-        y0: top,
-        x1: Math.min(left + CELL, width),
-        y1: Math.min(top + CELL, height),
-      });
-      if (!(luminance > DARKEST)) continue;
-      sum += Math.log2(luminance);
-      count++;
-    }
+  for (const cell of squaresOfPicture({ width, height }, CELL)) {
+    const luminance = meanLuminance(values, width, cell);
+    if (!(luminance > DARKEST)) continue;
+    sum += Math.log2(luminance);
+    count++;
+  }
   return count > 0 ? KEY / 2 ** (sum / count) : 1;
 }
 

@@ -113,10 +113,6 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
       createComponent: ({ name }) => {
         const element = document.createElement('div');
         element.className = 'sl-dock-panel';
-        if (name === 'picture') {
-          element.dataset.picturePanel = '';
-          return { element, init: () => {} };
-        }
         return {
           element,
           init: ({ api }) => {
@@ -149,8 +145,8 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
 /** Takes the picture among the panels, when its panel is in place: dockview places it in the next frame. */
 function usePicture(api: DockviewApi | undefined, picture: HTMLElement, onLaidOut: () => void): void {
   useEffect(() => {
-    const panel = api && document.querySelector('[data-picture-panel]');
-    if (!panel) return;
+    if (!api) return;
+    const panel = api.getPanel('picture')!.view.content.element;
     let frame = requestAnimationFrame(() => {
       frame = requestAnimationFrame(() => {
         moveInto(panel, picture);
