@@ -1,7 +1,7 @@
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { fileURLToPath } from 'node:url';
-import { type BrowserContext, chromium, type Page } from 'playwright-core';
+import { type BrowserContext, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 import { findChromium, SOFTWARE_GPU_FLAGS } from '../../src/cli/gpu/gpuDrivers.ts';
 
 const bin = fileURLToPath(new URL('../../../../bin/slowlight.js', import.meta.url));
@@ -13,9 +13,11 @@ interface Graphics {
   readonly flags: readonly string[];
 }
 
+/** What the page draws with by itself where there is no GPU. */
+export const LLVMPIPE: Graphics = { name: 'WebGL2, llvmpipe', backend: 'webgl', flags: SOFTWARE_GPU_FLAGS };
 /** What browsers draw with where there is no GPU. */
 export const GRAPHICS: readonly Graphics[] = [
-  { name: 'WebGL2, llvmpipe', backend: 'webgl', flags: SOFTWARE_GPU_FLAGS },
+  LLVMPIPE,
   {
     name: 'WebGL2, SwiftShader',
     backend: 'webgl',
@@ -26,8 +28,8 @@ export const GRAPHICS: readonly Graphics[] = [
 
 /** The built page on this machine, and a browser. */
 export interface PageServer {
-  /** A browser without stored data. */
-  context(): Promise<BrowserContext>;
+  /** A browser without stored data; by default in a window of 960 × 600. */
+  context(options?: BrowserContextOptions): Promise<BrowserContext>;
   /** With a query besides the backend: `scene=examples/street.usdc`. */
   address(query: string): string;
   close(): Promise<void>;
@@ -42,7 +44,7 @@ export async function servePage({ backend, flags }: Graphics): Promise<PageServe
   const executablePath = findChromium() ?? 'chromium';
   const browser = await chromium.launch({ executablePath, headless: true, args: [...flags] });
   return {
-    context: () => browser.newContext({ viewport: { width: 960, height: 600 } }),
+    context: (options) => browser.newContext({ viewport: { width: 960, height: 600 }, ...options }),
     address: (query) => `${url}/?backend=${backend}&${query}`,
     async close() {
       await browser.close();

@@ -1,14 +1,10 @@
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
-import { fileURLToPath } from 'node:url';
-import { type Browser, chromium, type Page } from 'playwright-core';
-import { findChromium, SOFTWARE_GPU_FLAGS } from '../../src/cli/gpu/gpuDrivers.ts';
+import type { Page } from 'playwright-core';
 import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import { copyFragment, serializeFragment } from '../../src/graph/edits/fragment.ts';
 import { type Bench, median, type Table } from '../support/bench.ts';
+import { LLVMPIPE, type PageServer, servePage } from './browsers.ts';
 import { gridProject } from './gridProject.ts';
 
-const bin = fileURLToPath(new URL('../../../../bin/slowlight.js', import.meta.url));
 const SIZES = [30, 100, 300];
 const ROUNDS = 1;
 /** Number of mouse moves, forth and back. */
@@ -23,26 +19,19 @@ export const graphPage: Bench = {
     'Projects of boxes, each moved by a node of its own, opened in the built page at 1440 × 900 by a headless Chromium, WebGL2. *Shown*: from the click on the button to the frame in which all nodes and edges that are in sight are drawn. ' +
     'Frames: between two of them, while the mouse moves, turns its wheel, or drags a node, over the whole graph in sight; all 16.7 where nothing is late. *Edit to picture*: from Enter in a field of the tone map to the frame that shows it, when the GPU has drawn that.',
   async run() {
-    const server = spawn(process.execPath, [bin, 'serve', '--port', '0', '--json'], {
-      stdio: ['ignore', 'pipe', 'inherit'],
-    });
-    const [line] = (await once(server.stdout, 'data')) as [Buffer];
-    const { url } = JSON.parse(line.toString()) as { url: string };
-    const executablePath = findChromium() ?? 'chromium';
-    const browser = await chromium.launch({ executablePath, headless: true, args: [...SOFTWARE_GPU_FLAGS] });
+    const server = await servePage(LLVMPIPE);
     try {
-      return [await canvas(browser, url), await pasting(browser, url)];
+      return [await canvas(server), await pasting(server)];
     } finally {
-      await browser.close();
-      server.kill();
+      await server.close();
     }
   },
 };
 
-async function canvas(browser: Browser, url: string): Promise<Table> {
+async function canvas(server: PageServer): Promise<Table> {
   const measured = SIZES.map((): number[][] => []);
   for (let round = 0; round < ROUNDS; round++) {
-    for (const [i, size] of SIZES.entries()) measured[i]!.push(await visit(browser, url, size));
+    for (const [i, size] of SIZES.entries()) measured[i]!.push(await visit(server, size));
   }
   const columns = ['shown', 'pan', 'pan, 95 %', 'zoom', 'zoom, 95 %', 'drag', 'drag, 95 %', 'edit to picture'];
   const rows = measured.map((rounds, i) => [
@@ -53,8 +42,8 @@ async function canvas(browser: Browser, url: string): Promise<Table> {
 }
 
 /** Results in the order of the table's columns. */
-async function visit(browser: Browser, url: string, size: number): Promise<number[]> {
-  const tab = await opened(browser, url, size);
+async function visit(server: PageServer, size: number): Promise<number[]> {
+  const tab = await opened(server, size);
   const shown = await timeOf(tab, 'graph', () => tab.getByRole('button', { name: 'Show the node graph' }).click());
   // Node previews are drawn later, once everything is idle.
   await tab.waitForTimeout(4000);
@@ -84,12 +73,17 @@ async function visit(browser: Browser, url: string, size: number): Promise<numbe
   return figures;
 }
 
-async function opened(browser: Browser, url: string, size: number): Promise<Page> {
-  const context = await browser.newContext({ viewport: VIEWPORT, reducedMotion: 'reduce', locale: 'en-GB' });
+async function opened(server: PageServer, size: number): Promise<Page> {
+  const context = await server.context({
+    viewport: VIEWPORT,
+    reducedMotion: 'reduce',
+    locale: 'en-GB',
+    serviceWorkers: 'block',
+  });
   const tab = await context.newPage();
   const body = serializeDocument(gridProject(size));
   await tab.route('**/yard.slowlight.json', (route) => route.fulfill({ body, contentType: 'application/json' }));
-  await tab.goto(`${url}/?backend=webgl&project=yard.slowlight.json`);
+  await tab.goto(server.address('project=yard.slowlight.json'));
   await tab.locator('[data-status="triangles"]', { hasText: /[1-9]/ }).waitFor({ timeout: 120_000 });
   await tab.waitForTimeout(1500);
   await tab.evaluate(listening);
@@ -205,10 +199,10 @@ async function editing(tab: Page): Promise<number> {
   return median(times);
 }
 
-async function pasting(browser: Browser, url: string): Promise<Table> {
+async function pasting(server: PageServer): Promise<Table> {
   const document = gridProject(PASTED);
   const words = serializeFragment(copyFragment(document, { nodes: Object.keys(document.nodes) }));
-  const tab = await opened(browser, url, SIZES[0]!);
+  const tab = await opened(server, SIZES[0]!);
   await tab.getByRole('button', { name: 'Show the node graph' }).click();
   await tab.waitForTimeout(3000);
   const press = (keys: string) => () => tab.keyboard.press(keys);

@@ -16,7 +16,8 @@ export const weak: Bench = {
       const server = await servePage(graphics);
       try {
         for (const scene of SCENES) {
-          const context = await server.context();
+          // Keeping the page for offline use would take the processor from the flight.
+          const context = await server.context({ serviceWorkers: 'block' });
           const tab = await context.newPage();
           await tab.addInitScript(countPictures);
           await tab.goto(server.address(`scene=examples/${scene}.usdc`));
